@@ -19,7 +19,7 @@ static stltsa_status learn(const stltsa_clip* clip, stltsa_model** model) {
     stltsa_interval cycle;
     stltsa_status status = stltsa_decompose(clip, NULL, &found);
     if (status == STLTSA_OK)
-        status = stltsa_phase_find(clip, found, NULL, &phase);
+        status = stltsa_phase_find(found, NULL, &phase);
     if (status == STLTSA_OK)
         status = stltsa_fit_clip(clip, NULL, model);
     if (status == STLTSA_OK)

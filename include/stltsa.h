@@ -925,7 +925,7 @@ typedef struct stltsa_statistics {
 /* Of the cycles or repetitions of one label. Frozen. */
 typedef struct stltsa_summary {
     int64_t count;
-    double per_minute; /* within the time from the first to the last of each segment */
+    double per_minute; /* 60 / mean_s */
     double mean_s, sd_s, cv; /* of their lengths in seconds; cv = sd / mean; sd is 0 for one */
     double trend;      /* relative change of the length per minute */
     int32_t label, reserved;
@@ -1103,19 +1103,17 @@ STLTSA_API stltsa_status stltsa_model_load(const char *path, stltsa_model **mode
 /* ---- Phase and mean cycles --------------------------------------------------------------- */
 
 /* A phase for every frame of the cycles of a clip: where it lies on the mean cycle of its motion,
- * in turns. It rises strictly and is continuous across the borders of cycles; 0 is the same
- * posture in every cycle, clip and person with the same features, wherever the cycles begin: where
- * the legs pass each other, if the two sides of the body are known and swing. The frames of all
+ * in turns. It rises strictly. Cycle k of the decomposition goes from phase 0 to 1: borders lie at
+ * phase 0 on average over the cycles of a label, and within about 1 % of it. The frames of all
  * segments of a label are registered to one mean cycle, by pose and velocity; afterwards the mean
  * share of time at each phase is uniform. */
 typedef struct stltsa_phase stltsa_phase;
 
-/* Finds the phase of a clip that was decomposed. Every frame counts, whatever option sample_rate
- * says, without further smoothing. If a mean cycle explains less than 0.6 of the variance of the
- * features, the phase of its motion is linear in time, and a warning says so. Options: as
- * stltsa_decompose, with the values it had. E_ARGUMENT: the decomposition is of another clip. */
-STLTSA_API stltsa_status stltsa_phase_find(const stltsa_clip *clip,
-                                           const stltsa_decomposition *decomposition,
+/* The phase of a clip that was decomposed: found by the first call, and kept by the decomposition,
+ * which may be freed before the phase. Every frame counts, whatever option sample_rate says, without
+ * further smoothing. If a mean cycle explains less than 0.6 of the variance of the features, the
+ * phase of its motion is linear in time, and a warning says so. Options used: progress. */
+STLTSA_API stltsa_status stltsa_phase_find(const stltsa_decomposition *decomposition,
                                            const stltsa_options *options,
                                            stltsa_phase **phase) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_phase_free(stltsa_phase *phase) STLTSA_NOEXCEPT;
@@ -1128,6 +1126,11 @@ STLTSA_API void stltsa_phase_free(stltsa_phase *phase) STLTSA_NOEXCEPT;
 STLTSA_API stltsa_status stltsa_phase_values(const stltsa_phase *phase, const stltsa_out *values,
                                              const stltsa_out *residual,
                                              const stltsa_out *cycle) STLTSA_NOEXCEPT;
+/* The phase, in [0, 1), at which the body is at the same place in every clip and person with the same
+ * features, wherever their cycles begin: where the legs pass each other, if the two sides of the body
+ * are known and swing. 0 if the label (0 for A) has repetitions only. E_ARGUMENT: it has neither. */
+STLTSA_API stltsa_status stltsa_phase_zero(const stltsa_phase *phase, int32_t label,
+                                           double *zero) STLTSA_NOEXCEPT;
 STLTSA_API int64_t stltsa_phase_warning_count(const stltsa_phase *phase) STLTSA_NOEXCEPT;
 STLTSA_API const char *stltsa_phase_warning(const stltsa_phase *phase,
                                             int64_t index) STLTSA_NOEXCEPT;
@@ -1150,11 +1153,9 @@ typedef struct stltsa_cycles stltsa_cycles;
  * signals   frames of the file x columns; NaN is a missing value, which means leave out
  * samples   of each cycle, at least 2; 101 for percent
  *
- * If a label has no cycles, each repetition counts as a cycle. A turn of the phase belongs to the
- * cycle whose beginning is nearest to that of the turn, at most half a cycle away. Samples are NaN
- * if the clip does not reach them, or if they lie more than a quarter of a cycle outside the
- * cycles. A cycle without a neighbor is closed if its first or last sample would be NaN: samples
- * beyond one end are taken from its other end. Repetitions are not closed.
+ * The cycles are those of the decomposition, from border to border, which are at 0 and 100 %; in
+ * between, samples follow the phase. If a label has no cycles, each repetition counts as a cycle. A
+ * cycle shorter than 6 frames is left out. A cycle that ends with the clip goes on at its beginning.
  * E_ARGUMENT: the label has neither cycles nor repetitions. E_SHAPE. */
 STLTSA_API stltsa_status stltsa_cycles_resample(const stltsa_phase *phase, int32_t label,
                                                 const stltsa_in *signals, int64_t samples,
@@ -1178,8 +1179,7 @@ STLTSA_API stltsa_status stltsa_cycles_mean(const stltsa_cycles *cycles, const s
 STLTSA_API stltsa_status stltsa_cycles_cycle(const stltsa_cycles *cycles, int64_t index,
                                              const stltsa_out *values) STLTSA_NOEXCEPT;
 /* When it happens, apart from what happens; each may be NULL.
- * frames    cycles x samples: the frame of each sample, not rounded; in a closed cycle, counted on
- *           beyond its end
+ * frames    cycles x samples: the frame of each sample, not rounded
  * warp      cycles x samples: how much later than in linear time, as a share of the cycle */
 STLTSA_API stltsa_status stltsa_cycles_times(const stltsa_cycles *cycles, const stltsa_out *frames,
                                              const stltsa_out *warp) STLTSA_NOEXCEPT;
@@ -1199,8 +1199,6 @@ STLTSA_API stltsa_status stltsa_cycles_group_distance(const stltsa_cycles *cycle
                                                       const stltsa_in *groups,
                                                       const stltsa_out *distance) STLTSA_NOEXCEPT;
 
-/* ---- Left against right -------------------------------------------------------------------- */
-
 enum {
     STLTSA_SIDE_NONE = -1,
     STLTSA_SIDE_LEFT = 0,
@@ -1211,79 +1209,6 @@ enum {
  * for "left heel strike", "LHS", "LeftFoot" and "toe_l"; none if the name is NULL or states neither
  * side or both. */
 STLTSA_API int32_t stltsa_side_of_name(const char *name) STLTSA_NOEXCEPT;
-
-/* A comparison of the left side of the body with the right side half a cycle later. It requires
- * that the two halves of a cycle are the same motion of opposite sides, as in walking. */
-typedef struct stltsa_sides stltsa_sides;
-
-/* Append-only: set size to sizeof(stltsa_side_pair). All fields but left and right are NaN if the
- * mean cycle lacks a sample. rms, chance, mean and the ranges are in the unit of the signals. */
-typedef struct stltsa_side_pair {
-    size_t size;
-    int64_t left, right;             /* columns of the signals */
-    double rms;                      /* root mean square of left minus right over the cycle */
-    double chance;                   /* rms expected from the spread between cycles alone, if both
-                                        sides were the same; NaN for a single cycle */
-    double mean;                     /* mean of left minus mean of right */
-    double left_range, right_range;  /* highest minus lowest value */
-    double shift;                    /* delay of right beyond half a cycle after left, as a share of
-                                        the cycle, -0.25 to 0.25; NaN if the curves are not alike
-                                        (correlation below 0.7), or if one does not move */
-    double correlation;              /* of the curves after the shift is removed, -1 to 1; NaN if
-                                        one does not move */
-} stltsa_side_pair;
-
-/* Compares the features of one motion, such as positions of joints or points, in the unit of the
- * file and relative to the body. The left side is compared with the mirror image of the right side
- * (stltsa_clip_mirror), so every coordinate of a symmetric walk differs by 0.
- *
- * clip      the clip that the phase was found in
- * label     label of the segments, 0 for A
- * samples   samples per cycle, 2 to 1000000; 101 gives one per percent
- * options   the options that were given to stltsa_phase_find
- * sides     to be freed with stltsa_sides_free; NULL on failure
- *
- * If the sides cannot be compared, the call succeeds without pairs: see stltsa_sides_reason.
- * E_ARGUMENT: the label has neither cycles nor repetitions, samples is out of range, or the phase
- * belongs to another clip. */
-STLTSA_API stltsa_status stltsa_sides_find(const stltsa_clip *clip, const stltsa_phase *phase,
-                                           int32_t label, int64_t samples,
-                                           const stltsa_options *options,
-                                           stltsa_sides **sides) STLTSA_NOEXCEPT;
-
-/* Compares any signals, such as joint angles, EMG or forces, over cycles that were found, or that
- * begin with an event of the left side (stltsa_cycles_between).
- *
- * names     one name for each column; knee_l and knee_r are a pair, as are LeftKnee and RightKnee.
- *           Both signals of a pair must have the same sign convention, as flexion has.
- * sides     to be freed with stltsa_sides_free; NULL on failure
- *
- * E_ARGUMENT: a name is NULL. */
-STLTSA_API stltsa_status stltsa_sides_compare(const stltsa_cycles *cycles, const char *const *names,
-                                              stltsa_sides **sides) STLTSA_NOEXCEPT;
-STLTSA_API void stltsa_sides_free(stltsa_sides *sides) STLTSA_NOEXCEPT;
-
-/* Number of pairs of a left and a right column, and each pair, in the order of the left columns.
- * E_ARGUMENT: index is out of range. */
-STLTSA_API int64_t stltsa_sides_count(const stltsa_sides *sides) STLTSA_NOEXCEPT;
-STLTSA_API stltsa_status stltsa_sides_pair(const stltsa_sides *sides, int64_t index,
-                                           stltsa_side_pair *pair) STLTSA_NOEXCEPT;
-/* Names of the joint, point or signal on the left and on the right. "" beyond the last pair. Valid
- * until the sides are freed. */
-STLTSA_API const char *stltsa_sides_left_name(const stltsa_sides *sides,
-                                              int64_t index) STLTSA_NOEXCEPT;
-STLTSA_API const char *stltsa_sides_right_name(const stltsa_sides *sides,
-                                               int64_t index) STLTSA_NOEXCEPT;
-/* Mean curves, samples x pairs; each argument may be NULL. The right curve is shifted by half a
- * cycle, so that the same row of both is the same phase of the motion; from stltsa_sides_find it is
- * also mirrored. The difference is left minus right. E_SHAPE. */
-STLTSA_API stltsa_status stltsa_sides_curves(const stltsa_sides *sides, const stltsa_out *left,
-                                             const stltsa_out *right,
-                                             const stltsa_out *difference) STLTSA_NOEXCEPT;
-/* The reason if there are no pairs: the halves of the cycles are not known to be the same motion of
- * opposite sides, or no two names differ only in the side. "" if there are pairs. Valid until the
- * sides are freed. */
-STLTSA_API const char *stltsa_sides_reason(const stltsa_sides *sides) STLTSA_NOEXCEPT;
 
 /* ---- Events ------------------------------------------------------------------------------- */
 
@@ -1367,7 +1292,7 @@ typedef struct stltsa_estimate {
  * sizeof(stltsa_compared_cycles). */
 typedef struct stltsa_compared_cycles {
     size_t size;
-    int64_t first_count, second_count; /* cycles that are complete from 0 to 100 % */
+    int64_t first_count, second_count; /* number of cycles */
     int32_t first_label, second_label; /* of the segments, 0 for A */
     int64_t samples;                   /* of each cycle */
     stltsa_estimate cycle_time;        /* seconds */
@@ -1385,7 +1310,7 @@ typedef struct stltsa_compared_cycles {
                              that were compared; NaN: no positions in space, or only one part */
     int64_t judged;       /* number of lags and amplitudes of parts that have an interval */
     int64_t significant;  /* how many of them are significant; by chance, 0.05 * judged would be */
-    int32_t sides;        /* 1: from stltsa_compare_left_right */
+    int32_t sides;        /* 1: left against right */
     int32_t reserved;
 } stltsa_compared_cycles;
 
@@ -1421,10 +1346,10 @@ typedef struct stltsa_compared_part {
  * samples        of each cycle, 5 to 1001; 101 for percent
  * comparison     to be freed with stltsa_comparison_free; NULL on failure
  *
- * Only cycles that the clip has completely, from 0 to 100 %, are compared (see
- * stltsa_cycles_resample). E_NO_SUCH_PART: a clip has no cycles. E_ARGUMENT: a label has no cycles,
- * or samples is out of range. E_SHAPE: the clips have different kinds of features, or no name in
- * common. E_TOO_FEW_FRAMES: a clip has no complete cycle. */
+ * The cycles of the first motion are compared from border to border, those of the second from the
+ * shift on; what comes before it follows at the end. E_NO_SUCH_PART: a clip has no cycles.
+ * E_ARGUMENT: a label has no cycles, or samples is out of range. E_SHAPE: the clips have different
+ * kinds of features, or no name in common. */
 STLTSA_API stltsa_status stltsa_compare(const stltsa_phase *first, int32_t first_label,
                                         const stltsa_phase *second, int32_t second_label,
                                         int64_t samples,
@@ -1437,9 +1362,11 @@ STLTSA_API stltsa_status stltsa_compare_with(const stltsa_phase *first, int32_t 
                                              stltsa_comparison **comparison) STLTSA_NOEXCEPT;
 
 /* Compares the left side of a body with its right side: the first motion is the left side, the
- * second the mirror image of the right side half a cycle later (see stltsa_sides_find). Differences
- * are taken within each cycle, so a change of both sides alike does not widen the intervals. Lags
- * are relative to exactly half a cycle. clip, options: those of stltsa_phase_find. Errors as for
+ * second the mirror image of the right side (stltsa_clip_mirror) half a cycle later, so that every
+ * coordinate of a symmetric walk differs by 0. Of each cycle, the second half comes first. The two
+ * halves of the cycles must be the same motion of opposite sides, as in walking. Differences are
+ * taken within each cycle, so a change of both sides alike does not widen the intervals. Lags are
+ * relative to exactly half a cycle. clip, options: those of stltsa_decompose. Errors as for
  * stltsa_compare, and E_ARGUMENT: the phase is of another clip. E_UNSUPPORTED: the two halves of a
  * cycle are not known to be the same motion of opposite sides, no two names differ only in the side,
  * or the clip cannot be mirrored. */
@@ -1448,6 +1375,23 @@ STLTSA_API stltsa_status stltsa_compare_left_right(const stltsa_clip *clip,
                                                    int64_t samples,
                                                    const stltsa_options *options,
                                                    stltsa_comparison **comparison) STLTSA_NOEXCEPT;
+/* The same of any signals, such as joint angles, EMG or forces, over cycles that were found, or that
+ * begin with an event of the left side (stltsa_cycles_between). Cycles in which one of these signals
+ * has a missing value are left out.
+ *
+ * names       one for each column; knee_l and knee_r are a pair, as are LeftKnee and RightKnee. Both
+ *             signals of a pair must have the same sign convention, as flexion has
+ * fps         frames per second of the signals; 0: unknown, so that times are NaN
+ * options     used: progress
+ * comparison  to be freed with stltsa_comparison_free; NULL on failure
+ *
+ * E_ARGUMENT: a name is NULL, or the cycles have fewer than 5 or more than 1001 samples.
+ * E_UNSUPPORTED: as above. E_TOO_FEW_FRAMES: each cycle has a missing value. */
+STLTSA_API stltsa_status stltsa_cycles_compare_left_right(const stltsa_cycles *cycles,
+                                                          const char *const *names, double fps,
+                                                          const stltsa_options *options,
+                                                          stltsa_comparison **comparison)
+    STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_comparison_free(stltsa_comparison *comparison) STLTSA_NOEXCEPT;
 
 STLTSA_API stltsa_status stltsa_comparison_cycles(const stltsa_comparison *comparison,

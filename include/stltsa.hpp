@@ -53,7 +53,6 @@ using Travel = stltsa_travel;
 using Statistics = stltsa_statistics;
 using Summary = stltsa_summary;
 using Seam = stltsa_seam;
-using SidePair = stltsa_side_pair;
 using Event = stltsa_event;
 using Difference = stltsa_estimate;
 using ComparedCycles = stltsa_compared_cycles;
@@ -801,171 +800,6 @@ inline std::int32_t side_of_name(const std::string& name) noexcept {
     return stltsa_side_of_name(name.c_str());
 }
 
-/// A comparison of the left side of the body with the right side half a cycle later.
-class Sides {
-  public:
-    using Pointer = stltsa_sides*;
-
-    Sides(stltsa_sides* owned, std::int64_t samples) : handle_(owned), samples_(samples) {}
-
-    std::int64_t count() const noexcept { return stltsa_sides_count(get()); }
-    SidePair pair(std::int64_t index) const {
-        SidePair pair{};
-        pair.size = sizeof pair;
-        detail::check(stltsa_sides_pair(get(), index, &pair));
-        return pair;
-    }
-    std::vector<SidePair> pairs() const {
-        return detail::list(count(), [this](std::int64_t index) { return pair(index); });
-    }
-    std::string left_name(std::int64_t index) const { return stltsa_sides_left_name(get(), index); }
-    std::string right_name(std::int64_t index) const {
-        return stltsa_sides_right_name(get(), index);
-    }
-    /// Mean curves, samples x pairs; the right curve is shifted by half a cycle.
-    Matrix left() const { return curves(0); }
-    Matrix right() const { return curves(1); }
-    /// Left minus right.
-    Matrix difference() const { return curves(2); }
-    /// The reason if there are no pairs; empty if there are.
-    std::string reason() const { return stltsa_sides_reason(get()); }
-
-    const stltsa_sides* get() const noexcept { return handle_.get(); }
-
-  private:
-    Matrix curves(int which) const {
-        Matrix values(samples_, count());
-        if (count() == 0)
-            return values;
-        const stltsa_out to = detail::out(values);
-        detail::check(stltsa_sides_curves(get(), which == 0 ? &to : nullptr,
-                                          which == 1 ? &to : nullptr, which == 2 ? &to : nullptr));
-        return values;
-    }
-
-    detail::Handle<stltsa_sides, stltsa_sides_free> handle_;
-    std::int64_t samples_;
-};
-
-/// Signals on 0 to 100 % of each cycle.
-class Cycles {
-  public:
-    using Pointer = stltsa_cycles*;
-
-    Cycles(stltsa_cycles* owned, std::int64_t samples, std::int64_t columns)
-        : handle_(owned), samples_(samples), columns_(columns) {}
-
-    std::int64_t count() const noexcept { return stltsa_cycles_count(get()); }
-    /// samples x columns
-    Matrix mean() const {
-        Matrix mean(samples_, columns_);
-        const stltsa_out to = detail::out(mean);
-        detail::check(stltsa_cycles_mean(get(), &to, nullptr));
-        return mean;
-    }
-    /// Standard deviation, samples x columns.
-    Matrix deviation() const {
-        Matrix deviation(samples_, columns_);
-        const stltsa_out to = detail::out(deviation);
-        detail::check(stltsa_cycles_mean(get(), nullptr, &to));
-        return deviation;
-    }
-    /// samples x columns
-    Matrix cycle(std::int64_t index) const {
-        Matrix values(samples_, columns_);
-        const stltsa_out to = detail::out(values);
-        detail::check(stltsa_cycles_cycle(get(), index, &to));
-        return values;
-    }
-    /// The frame of each sample, cycles x samples.
-    Matrix frames() const {
-        Matrix frames(count(), samples_);
-        const stltsa_out to = detail::out(frames);
-        detail::check(stltsa_cycles_times(get(), &to, nullptr));
-        return frames;
-    }
-    /// How much later each sample is than in linear time, as a share of the cycle.
-    Matrix warp() const {
-        Matrix warp(count(), samples_);
-        const stltsa_out to = detail::out(warp);
-        detail::check(stltsa_cycles_times(get(), nullptr, &to));
-        return warp;
-    }
-    /// Of each cycle, as a share of the deviation along the mean cycle.
-    std::vector<double> distance() const {
-        std::vector<double> total(static_cast<std::size_t>(count()));
-        const stltsa_out to = detail::out(total);
-        detail::check(stltsa_cycles_distance(get(), &to, nullptr));
-        return total;
-    }
-    /// The same for each column, in its unit: cycles x columns.
-    Matrix column_distance() const {
-        Matrix columns(count(), columns_);
-        const stltsa_out to = detail::out(columns);
-        detail::check(stltsa_cycles_distance(get(), nullptr, &to));
-        return columns;
-    }
-
-    /// The same for groups of columns: `groups` has that of each column, -1 for none.
-    Matrix group_distance(const std::vector<std::int64_t>& groups) const {
-        std::int64_t most = -1;
-        for (const std::int64_t group : groups)
-            most = std::max(most, group);
-        Matrix distance(count(), most + 1);
-        const detail::List given(groups);
-        const stltsa_out to = detail::out(distance);
-        detail::check(stltsa_cycles_group_distance(get(), given.get(), &to));
-        return distance;
-    }
-    /// Compares left with right. `names`: one for each column, such as knee_l and knee_r.
-    Sides sides(const std::vector<std::string>& names) const {
-        if (static_cast<std::int64_t>(names.size()) != columns_)
-            throw Error(STLTSA_E_SHAPE, "names has " + std::to_string(names.size()) +
-                                            " entries; there are " + std::to_string(columns_) +
-                                            " columns");
-        std::vector<const char*> texts;
-        for (const std::string& name : names)
-            texts.push_back(name.c_str());
-        stltsa_sides* sides = nullptr;
-        detail::check(stltsa_sides_compare(get(), texts.data(), &sides));
-        return {sides, samples_};
-    }
-
-    const stltsa_cycles* get() const noexcept { return handle_.get(); }
-
-  private:
-    detail::Handle<stltsa_cycles, stltsa_cycles_free> handle_;
-    std::int64_t samples_, columns_;
-};
-
-/// Moments that were marked once, wherever they come again.
-class Events {
-  public:
-    using Pointer = stltsa_events*;
-
-    explicit Events(stltsa_events* owned) : handle_(owned) {}
-
-    std::int64_t count() const noexcept { return stltsa_events_count(get()); }
-    Event event(std::int64_t index) const {
-        Event event{};
-        event.size = sizeof event;
-        detail::check(stltsa_events_event(get(), index, &event));
-        return event;
-    }
-    std::vector<Event> all() const {
-        return detail::list(count(), [this](std::int64_t index) { return event(index); });
-    }
-    double likeness() const noexcept { return stltsa_events_likeness(get()); }
-    std::vector<std::string> warnings() const {
-        return detail::texts(stltsa_events_warning_count, stltsa_events_warning, get());
-    }
-
-    const stltsa_events* get() const noexcept { return handle_.get(); }
-
-  private:
-    detail::Handle<stltsa_events, stltsa_events_free> handle_;
-};
-
 /// The cycles of two motions, aligned by phase. `which`: 0 for the first motion, 1 for the second.
 class Comparison {
   public:
@@ -1067,6 +901,126 @@ class Comparison {
     detail::Handle<stltsa_comparison, stltsa_comparison_free> handle_;
 };
 
+/// Signals on 0 to 100 % of each cycle.
+class Cycles {
+  public:
+    using Pointer = stltsa_cycles*;
+
+    Cycles(stltsa_cycles* owned, std::int64_t samples, std::int64_t columns)
+        : handle_(owned), samples_(samples), columns_(columns) {}
+
+    std::int64_t count() const noexcept { return stltsa_cycles_count(get()); }
+    /// samples x columns
+    Matrix mean() const {
+        Matrix mean(samples_, columns_);
+        const stltsa_out to = detail::out(mean);
+        detail::check(stltsa_cycles_mean(get(), &to, nullptr));
+        return mean;
+    }
+    /// Standard deviation, samples x columns.
+    Matrix deviation() const {
+        Matrix deviation(samples_, columns_);
+        const stltsa_out to = detail::out(deviation);
+        detail::check(stltsa_cycles_mean(get(), nullptr, &to));
+        return deviation;
+    }
+    /// samples x columns
+    Matrix cycle(std::int64_t index) const {
+        Matrix values(samples_, columns_);
+        const stltsa_out to = detail::out(values);
+        detail::check(stltsa_cycles_cycle(get(), index, &to));
+        return values;
+    }
+    /// The frame of each sample, cycles x samples.
+    Matrix frames() const {
+        Matrix frames(count(), samples_);
+        const stltsa_out to = detail::out(frames);
+        detail::check(stltsa_cycles_times(get(), &to, nullptr));
+        return frames;
+    }
+    /// How much later each sample is than in linear time, as a share of the cycle.
+    Matrix warp() const {
+        Matrix warp(count(), samples_);
+        const stltsa_out to = detail::out(warp);
+        detail::check(stltsa_cycles_times(get(), nullptr, &to));
+        return warp;
+    }
+    /// Of each cycle, as a share of the deviation along the mean cycle.
+    std::vector<double> distance() const {
+        std::vector<double> total(static_cast<std::size_t>(count()));
+        const stltsa_out to = detail::out(total);
+        detail::check(stltsa_cycles_distance(get(), &to, nullptr));
+        return total;
+    }
+    /// The same for each column, in its unit: cycles x columns.
+    Matrix column_distance() const {
+        Matrix columns(count(), columns_);
+        const stltsa_out to = detail::out(columns);
+        detail::check(stltsa_cycles_distance(get(), nullptr, &to));
+        return columns;
+    }
+
+    /// The same for groups of columns: `groups` has that of each column, -1 for none.
+    Matrix group_distance(const std::vector<std::int64_t>& groups) const {
+        std::int64_t most = -1;
+        for (const std::int64_t group : groups)
+            most = std::max(most, group);
+        Matrix distance(count(), most + 1);
+        const detail::List given(groups);
+        const stltsa_out to = detail::out(distance);
+        detail::check(stltsa_cycles_group_distance(get(), given.get(), &to));
+        return distance;
+    }
+    /// Compares left with right. `names`: one for each column, such as knee_l and knee_r. `fps`:
+    /// frames per second; 0: unknown, so that times are NaN.
+    Comparison compare_left_right(const std::vector<std::string>& names, double fps = 0,
+                                  const Options& options = {}) const {
+        if (static_cast<std::int64_t>(names.size()) != columns_)
+            throw Error(STLTSA_E_SHAPE, "names has " + std::to_string(names.size()) +
+                                            " entries; there are " + std::to_string(columns_) +
+                                            " columns");
+        std::vector<const char*> texts;
+        for (const std::string& name : names)
+            texts.push_back(name.c_str());
+        return detail::made<Comparison>(stltsa_cycles_compare_left_right, get(), texts.data(), fps,
+                                        options.get());
+    }
+
+    const stltsa_cycles* get() const noexcept { return handle_.get(); }
+
+  private:
+    detail::Handle<stltsa_cycles, stltsa_cycles_free> handle_;
+    std::int64_t samples_, columns_;
+};
+
+/// Moments that were marked once, wherever they come again.
+class Events {
+  public:
+    using Pointer = stltsa_events*;
+
+    explicit Events(stltsa_events* owned) : handle_(owned) {}
+
+    std::int64_t count() const noexcept { return stltsa_events_count(get()); }
+    Event event(std::int64_t index) const {
+        Event event{};
+        event.size = sizeof event;
+        detail::check(stltsa_events_event(get(), index, &event));
+        return event;
+    }
+    std::vector<Event> all() const {
+        return detail::list(count(), [this](std::int64_t index) { return event(index); });
+    }
+    double likeness() const noexcept { return stltsa_events_likeness(get()); }
+    std::vector<std::string> warnings() const {
+        return detail::texts(stltsa_events_warning_count, stltsa_events_warning, get());
+    }
+
+    const stltsa_events* get() const noexcept { return handle_.get(); }
+
+  private:
+    detail::Handle<stltsa_events, stltsa_events_free> handle_;
+};
+
 /// A phase for every frame of the cycles of a clip.
 class Phase {
   public:
@@ -1097,6 +1051,12 @@ class Phase {
     std::vector<std::string> warnings() const {
         return detail::texts(stltsa_phase_warning_count, stltsa_phase_warning, get());
     }
+    /// Where the body is at the same place in every clip; `label`: 0 for A.
+    double zero(std::int32_t label) const {
+        double zero = 0;
+        detail::check(stltsa_phase_zero(get(), label, &zero));
+        return zero;
+    }
     /// The joint, point or column of the file that each column of the features belongs to.
     std::vector<std::string> column_owners() const {
         return detail::texts(stltsa_phase_column_count, stltsa_phase_column_owner, get());
@@ -1119,13 +1079,6 @@ class Phase {
         return {cycles, samples, signals.get()->cols};
     }
 
-    /// Compares left with right in the features. `clip`: the clip that the phase was found in.
-    Sides sides(const Clip& clip, std::int32_t label, const Options& options = {},
-                std::int64_t samples = 101) const {
-        stltsa_sides* sides = nullptr;
-        detail::check(stltsa_sides_find(clip.get(), get(), label, samples, options.get(), &sides));
-        return {sides, samples};
-    }
     /// Compares a cyclic motion of this clip with one of another. Labels: of the segments, 0 for A;
     /// -1: the longest such motion here, and there the one most like it.
     Comparison compare(const Phase& second, std::int32_t label = -1, std::int32_t second_label = -1,
@@ -1212,12 +1165,11 @@ inline void keep_mark(Model& model, const Phase& phase, double frame, const std:
     detail::check(stltsa_model_keep_mark(model.get(), phase.get(), frame, name.c_str()));
 }
 
-/// `options`: as for the decomposition.
-inline Phase find_phase(const Clip& clip, const Decomposition& decomposition,
-                        const Options& options = {}) {
+/// Found by the first call, and kept by the decomposition. `options`: progress.
+inline Phase find_phase(const Decomposition& decomposition, const Options& options = {}) {
     stltsa_phase* phase = nullptr;
-    detail::check(stltsa_phase_find(clip.get(), decomposition.get(), options.get(), &phase));
-    return {phase, clip.frames()};
+    detail::check(stltsa_phase_find(decomposition.get(), options.get(), &phase));
+    return {phase, decomposition.info().integer(STLTSA_INFO_CLIP_FRAMES)};
 }
 
 /// Linear in time between the borders.

@@ -22,7 +22,7 @@ static stltsa_model* taught_by(const stltsa_clip* clip) {
     stltsa_phase* phase = NULL;
     check(stltsa_fit_clip(clip, NULL, &model));
     check(stltsa_decompose(clip, NULL, &found));
-    check(stltsa_phase_find(clip, found, NULL, &phase));
+    check(stltsa_phase_find(found, NULL, &phase));
     check(stltsa_model_keep_cycle(model, phase));
     stltsa_phase_free(phase);
     stltsa_decomposition_free(found);

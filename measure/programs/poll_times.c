@@ -174,7 +174,7 @@ static void compare_sides(int64_t frames, int64_t pairs, double fps,
     stltsa_phase* phase = NULL;
     stltsa_comparison* comparison = NULL;
     check(stltsa_decompose(clip, NULL, &made));
-    check(stltsa_phase_find(clip, made, NULL, &phase));
+    check(stltsa_phase_find(made, NULL, &phase));
     const double begin = start();
     finish("stltsa_compare_left_right", begin,
            stltsa_compare_left_right(clip, phase, -1, 101, options, &comparison));
@@ -222,13 +222,13 @@ int main(int argc, char** argv) {
     finish("stltsa_decompose", begin, decomposed);
     if (decomposed == STLTSA_OK) {
         begin = start();
-        finish("stltsa_phase_find", begin, stltsa_phase_find(clip, made, options, &phase));
+        finish("stltsa_phase_find", begin, stltsa_phase_find(made, options, &phase));
     }
     begin = start();
     finish("stltsa_fit_clip", begin, stltsa_fit_clip(clip, options, &model));
     if (argc > 4) {
         stltsa_phase* again = NULL;
-        check(stltsa_phase_find(clip, made, NULL, &again));
+        check(stltsa_phase_find(made, NULL, &again));
         compare_and_find_events(phase, again, (double)frames / 2, options);
         stltsa_phase_free(again);
         write_and_read(clip, argv[4], options);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <iterator>
 #include <optional>
+#include <string>
+#include <vector>
 
+#include "base/side_name.hpp"
 #include "capi/boundary/arrays.hpp"
 #include "capi/boundary/guard.hpp"
 #include "capi/boundary/structs.hpp"
@@ -85,6 +88,17 @@ struct Wanted {
     const Matrix& values;
 };
 
+std::vector<std::string> names_of(const char* const* names, int64_t columns) {
+    required(names, "names");
+    std::vector<std::string> texts;
+    for (int64_t c = 0; c < columns; ++c) {
+        if (names[c] == nullptr)
+            fail(Status::argument, "name {} is NULL; use \"\" for a column without a name", c);
+        texts.emplace_back(names[c]);
+    }
+    return texts;
+}
+
 /// Writes all or, after an error, none.
 void write_all(std::initializer_list<Wanted> all) {
     for (const Wanted& each : all)
@@ -96,6 +110,14 @@ void write_all(std::initializer_list<Wanted> all) {
 }
 
 } // namespace
+
+static_assert(static_cast<int32_t>(Side::left) == STLTSA_SIDE_LEFT &&
+              static_cast<int32_t>(Side::right) == STLTSA_SIDE_RIGHT &&
+              static_cast<int32_t>(Side::none) == STLTSA_SIDE_NONE);
+
+int32_t stltsa_side_of_name(const char* name) noexcept {
+    return name == nullptr ? STLTSA_SIDE_NONE : static_cast<int32_t>(side_of_name(name));
+}
 
 stltsa_status stltsa_compare(const stltsa_phase* first, int32_t first_label,
                              const stltsa_phase* second, int32_t second_label, int64_t samples,
@@ -131,6 +153,22 @@ stltsa_status stltsa_compare_left_right(const stltsa_clip* clip, const stltsa_ph
         const capi::OptionsReader reader(options);
         *comparison = new stltsa_comparison(results::compare_left_right(
             of, by, wanted(label), samples, reader.prepare_options(), reader.progress()));
+    });
+}
+
+stltsa_status stltsa_cycles_compare_left_right(const stltsa_cycles* cycles,
+                                               const char* const* names, double fps,
+                                               const stltsa_options* options,
+                                               stltsa_comparison** comparison) noexcept {
+    return compute([&] {
+        required(comparison, "comparison") = nullptr;
+        const phase::Resampled& of = required(cycles, "cycles");
+        capi::check_samples(of.mean.rows(), least_samples, most_samples);
+        if (fps != 0)
+            capi::check_rate(fps);
+        const capi::OptionsReader reader(options);
+        *comparison = new stltsa_comparison(results::compare_left_right(
+            of, names_of(names, of.mean.cols()), fps, reader.progress()));
     });
 }
 

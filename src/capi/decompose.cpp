@@ -240,8 +240,7 @@ const char* stltsa_decomposition_reason(const stltsa_decomposition* decompositio
 }
 
 int64_t stltsa_decomposition_warning_count(const stltsa_decomposition* decomposition) noexcept {
-    return decomposition == nullptr ? 0
-                                    : static_cast<int64_t>(decomposition->warnings.size());
+    return decomposition == nullptr ? 0 : static_cast<int64_t>(decomposition->warnings.size());
 }
 
 const char* stltsa_decomposition_warning(const stltsa_decomposition* decomposition,

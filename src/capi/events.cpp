@@ -45,7 +45,7 @@ stltsa_status stltsa_events_find_with(const stltsa_phase* from, const stltsa_in*
     return compute([&] {
         required(events, "events") = nullptr;
         const results::Phased& source = required(from, "from");
-        const results::Phased& target = in == nullptr ? source : *in;
+        const results::Phased& target = in == nullptr ? source : *in->found;
         const capi::OptionsReader reader(options);
         *events = new stltsa_events(
             results::find_events(source, marks_of(marks, source), target, reader.progress()));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -16,7 +17,6 @@
 #include "results/events.hpp"
 #include "results/fitted.hpp"
 #include "results/phased.hpp"
-#include "results/sides.hpp"
 #include "results/synthesized.hpp"
 #include "stltsa.h"
 
@@ -72,16 +72,15 @@ struct stltsa_decomposition : stltsa_info, stltsa::results::Decomposed {
         : stltsa_info{&stltsa::capi::decomposition_table}, Decomposed(std::move(of)) {}
 };
 
-struct stltsa_phase : stltsa::results::Phased {
-    explicit stltsa_phase(Phased of) : Phased(std::move(of)) {}
+/// Shares the phase with its decomposition.
+struct stltsa_phase {
+    std::shared_ptr<const stltsa::results::Phased> found;
+
+    operator const stltsa::results::Phased&() const { return *found; }
 };
 
 struct stltsa_cycles : stltsa::phase::Resampled {
     explicit stltsa_cycles(Resampled of) : Resampled(std::move(of)) {}
-};
-
-struct stltsa_sides : stltsa::results::ComparedSides {
-    explicit stltsa_sides(ComparedSides of) : ComparedSides(std::move(of)) {}
 };
 
 struct stltsa_comparison : stltsa::results::Comparison {

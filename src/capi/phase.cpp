@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/numbers.hpp"
 #include "capi/boundary/arrays.hpp"
 #include "capi/boundary/guard.hpp"
 #include "capi/handles.hpp"
@@ -74,15 +75,13 @@ void write_all(std::initializer_list<Wanted> all) {
 
 } // namespace
 
-stltsa_status stltsa_phase_find(const stltsa_clip* clip, const stltsa_decomposition* decomposition,
+stltsa_status stltsa_phase_find(const stltsa_decomposition* decomposition,
                                 const stltsa_options* options, stltsa_phase** phase) noexcept {
     return compute([&] {
         required(phase, "phase") = nullptr;
-        const clip::Clip& from = required(clip, "clip").clip;
+        const results::Decomposed& of = required(decomposition, "decomposition");
         const capi::OptionsReader reader(options);
-        *phase =
-            new stltsa_phase(results::find_phase(from, required(decomposition, "decomposition"),
-                                                 reader.prepare_options(), reader.progress()));
+        *phase = new stltsa_phase{results::phase_of(of, reader.progress())};
     });
 }
 
@@ -103,24 +102,32 @@ stltsa_status stltsa_phase_values(const stltsa_phase* phase, const stltsa_out* v
     });
 }
 
+stltsa_status stltsa_phase_zero(const stltsa_phase* phase, int32_t label, double* zero) noexcept {
+    return guard([&] {
+        required(zero, "zero") = none;
+        const results::Phased& of = required(phase, "phase");
+        *zero = results::motion_of(of, label).phases.zero;
+    });
+}
+
 int64_t stltsa_phase_warning_count(const stltsa_phase* phase) noexcept {
-    return phase == nullptr ? 0 : static_cast<int64_t>(phase->warnings.size());
+    return phase == nullptr ? 0 : static_cast<int64_t>(phase->found->warnings.size());
 }
 
 const char* stltsa_phase_warning(const stltsa_phase* phase, int64_t index) noexcept {
     if (index < 0 || index >= stltsa_phase_warning_count(phase))
         return "";
-    return phase->warnings[static_cast<std::size_t>(index)].c_str();
+    return phase->found->warnings[static_cast<std::size_t>(index)].c_str();
 }
 
 int64_t stltsa_phase_column_count(const stltsa_phase* phase) noexcept {
-    return phase == nullptr ? 0 : static_cast<int64_t>(phase->owners.size());
+    return phase == nullptr ? 0 : static_cast<int64_t>(phase->found->owners.size());
 }
 
 const char* stltsa_phase_column_owner(const stltsa_phase* phase, int64_t index) noexcept {
     if (index < 0 || index >= stltsa_phase_column_count(phase))
         return "";
-    return phase->owners[static_cast<std::size_t>(index)].c_str();
+    return phase->found->owners[static_cast<std::size_t>(index)].c_str();
 }
 
 stltsa_status stltsa_cycles_resample(const stltsa_phase* phase, int32_t label,

@@ -20,7 +20,8 @@ double autocorrelation(std::span<const double> u, std::size_t lag) {
 double correlation(std::span<const double> a, std::span<const double> b) {
     const std::size_t n = std::min(a.size(), b.size());
     const auto mean = [n](std::span<const double> values) {
-        return std::accumulate(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(n), 0.0) /
+        return std::accumulate(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(n),
+                               0.0) /
                static_cast<double>(n);
     };
     const double mean_a = n > 1 ? mean(a) : 0, mean_b = n > 1 ? mean(b) : 0;

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
-#include "base/progress.hpp"
 #include "linalg/simd.hpp"
 #include "phase/lag.hpp"
 
@@ -15,16 +14,6 @@ namespace {
 constexpr Estimate unknown{none, none, none, none, none, none, none, none, false};
 
 using Columns = std::vector<std::int64_t>;
-
-Matrix chosen(ConstMatrixView from, const Columns& columns, PacedPoll& polls) {
-    Matrix result = Matrix::unset(from.rows, std::ssize(columns));
-    for (std::int64_t s = 0; s < from.rows; ++s) {
-        for (std::size_t c = 0; c < columns.size(); ++c)
-            result(s, static_cast<std::int64_t>(c)) = from(s, columns[c]);
-        polls.did(2 * std::ssize(columns));
-    }
-    return result;
-}
 
 /// Mean curve of some columns, and the curve of each cycle.
 struct Curves {
@@ -273,6 +262,16 @@ std::vector<PartDifference> differences_of(const std::vector<Measured>& all,
 }
 
 } // namespace
+
+Matrix chosen(ConstMatrixView from, const std::vector<std::int64_t>& columns, PacedPoll& polls) {
+    Matrix result = Matrix::unset(from.rows, std::ssize(columns));
+    for (std::int64_t s = 0; s < from.rows; ++s) {
+        for (std::size_t c = 0; c < columns.size(); ++c)
+            result(s, static_cast<std::int64_t>(c)) = from(s, columns[c]);
+        polls.did(2 * std::ssize(columns));
+    }
+    return result;
+}
 
 ConstMatrixView once_around(const Matrix& samples) {
     return samples.view().block(0, samples.rows() - 1);

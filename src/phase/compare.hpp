@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "base/progress.hpp"
 #include "phase/estimate.hpp"
 #include "phase/resample.hpp"
 
@@ -43,6 +44,9 @@ struct Differences {
 Differences compare(const Resampled& first, const Resampled& second,
                     std::span<const std::int64_t> groups, bool paired,
                     const std::function<void()>& poll = {});
+
+/// Some of the columns.
+Matrix chosen(ConstMatrixView from, const std::vector<std::int64_t>& columns, PacedPoll& polls);
 
 /// Samples of a cycle without the last one, which repeats the first.
 ConstMatrixView once_around(const Matrix& samples);

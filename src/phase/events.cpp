@@ -8,6 +8,7 @@
 #include "base/numbers.hpp"
 #include "base/progress.hpp"
 #include "linalg/simd.hpp"
+#include "motion/curve/extrema.hpp"
 #include "motion/curve/statistics.hpp"
 
 namespace stltsa::phase {
@@ -130,8 +131,7 @@ double lowest(const Rows& costs) {
     const auto i = static_cast<std::size_t>(at);
     if (i == 0 || i + 1 == costs.size())
         return static_cast<double>(i);
-    const double bend = costs[i - 1] - 2 * costs[i] + costs[i + 1];
-    return static_cast<double>(i) + (bend > 0 ? (costs[i - 1] - costs[i + 1]) / (2 * bend) : 0);
+    return static_cast<double>(i) + motion::parabola_vertex(costs[i - 1], costs[i], costs[i + 1]);
 }
 
 /// Where the recording is most like the template, near a row; NaN too near the ends.
@@ -165,13 +165,9 @@ struct Candidate {
 
 /// Where one run is at a phase.
 Candidate candidate_at(const Searched& in, std::size_t run, double phase, const Rows& offsets) {
-    const std::vector<double>& phases = in.runs[run].phase;
-    const auto after = std::ranges::lower_bound(phases, phase) - phases.begin();
-    const auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after, 1));
-    const double place =
-        static_cast<double>(i - 1) + (phase - phases[i - 1]) / (phases[i] - phases[i - 1]);
-    const double row = static_cast<double>(in.runs[run].begin) + place;
-    const double distance = interpolated(in.distance[run], place);
+    const double row = in.runs[run].row_at(phase);
+    const double distance =
+        interpolated(in.distance[run], row - static_cast<double>(in.runs[run].begin));
     const bool whole =
         row + offsets.front() > 0 && row + offsets.back() < static_cast<double>(in.fine.rows() - 1);
     return {row, distance, rows_beyond(in.known[run], row),
@@ -327,15 +323,10 @@ double mapped_phase(const MeanCycle& from, const MeanCycle& to, const Offset& of
         polls.did(2 * other.harmonics() * other.cols());
     }
     const MeanCycle mean{std::move(centered), places, from.variance};
-    const std::vector<double> start = run.phase;
+    const Run start = run;
     const Run found = register_with(cycle.view(), mean, std::move(run), 0.2, map_share, poll);
     const double wanted = 1 + phase - std::floor(phase);
-    const auto after = std::clamp<std::ptrdiff_t>(
-        std::ranges::lower_bound(found.phase, wanted) - found.phase.begin(), 1,
-        static_cast<std::ptrdiff_t>(found.phase.size()) - 1);
-    const auto i = static_cast<std::size_t>(after);
-    const double part = (wanted - found.phase[i - 1]) / (found.phase[i] - found.phase[i - 1]);
-    return start[i - 1] + part * (start[i] - start[i - 1]) + offset.shift;
+    return start.phase_at(found.row_at(wanted)) + offset.shift;
 }
 
 /// Median windows of the group, moved by a common shift in rows.

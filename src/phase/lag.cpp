@@ -7,6 +7,7 @@
 
 #include "base/numbers.hpp"
 #include "linalg/simd.hpp"
+#include "motion/curve/extrema.hpp"
 
 namespace stltsa::phase {
 namespace {
@@ -85,12 +86,9 @@ Lag lag_between(ConstMatrixView first, ConstMatrixView second, std::int64_t most
     }
     if (at(best - 1) > at(best) || at(best + 1) > at(best))
         return result;
-    const double bend = at(best - 1) - 2 * at(best) + at(best + 1);
-    const double rise = (at(best + 1) - at(best - 1)) / 2;
-    const bool curved = bend < 0;
-    result.samples = static_cast<double>(best) - (curved ? rise / bend : 0);
-    if (curved)
-        result.correlation = std::min(1.0, at(best) - rise * rise / (2 * bend));
+    const double vertex = motion::parabola_vertex(at(best - 1), at(best), at(best + 1));
+    result.samples = static_cast<double>(best) + vertex;
+    result.correlation = std::min(1.0, at(best) + vertex * (at(best + 1) - at(best - 1)) / 4);
     return result;
 }
 

@@ -94,6 +94,21 @@ double Loop::variance() const {
            2;
 }
 
+double Run::phase_at(double row) const {
+    const double place = row - static_cast<double>(begin);
+    const auto i = static_cast<std::size_t>(std::clamp(
+        std::floor(place), 0.0, static_cast<double>(std::max<std::int64_t>(0, rows() - 2))));
+    const double step = phase[std::min(i + 1, phase.size() - 1)] - phase[i];
+    return phase[i] + (place - static_cast<double>(i)) * step;
+}
+
+double Run::row_at(double reached) const {
+    const auto after = std::ranges::upper_bound(phase, reached) - phase.begin();
+    const auto i = static_cast<std::size_t>(std::clamp<std::int64_t>(after, 1, rows() - 1));
+    return static_cast<double>(begin) + static_cast<double>(i - 1) +
+           (reached - phase[i - 1]) / (phase[i] - phase[i - 1]);
+}
+
 Loop fit_loop(ConstMatrixView rows, std::span<const Run> runs, std::int64_t harmonics,
               const std::function<void()>& poll) {
     PacedPoll polls(poll);

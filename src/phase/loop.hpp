@@ -36,6 +36,10 @@ struct Run {
 
     std::int64_t rows() const { return static_cast<std::int64_t>(phase.size()); }
     std::int64_t end() const { return begin + rows(); }
+    /// At a row that is not rounded; on a straight line beyond the ends.
+    double phase_at(double row) const;
+    /// The row at which the rising phase is reached; likewise.
+    double row_at(double reached) const;
 };
 
 /// Least squares over the rows of all runs, with a small penalty on high harmonics, so that gaps in

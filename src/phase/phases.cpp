@@ -10,9 +10,6 @@
 namespace stltsa::phase {
 namespace {
 
-/// Mean squared distance from the mean cycle, as a share of the variance, above which the phase is
-/// linear in time: 0.1 is usual; a column that drifts gives 0.57, zeros for gaps 0.9.
-constexpr double most_residual = 0.4;
 /// Sides that swing less, see Wave, say nothing of the cycle.
 constexpr double least_swing = 0.2;
 
@@ -106,6 +103,31 @@ void shift_zero(double zero, Phases& phases) {
             phase -= zero;
 }
 
+/// Where the borders lie in phase, on average over the circle: each is where the movement around
+/// it, over half a cycle to each side, is most like that around the others, while phases follow
+/// each part of a cycle; they scatter about each other by 1 % of a cycle. To bend the phases so
+/// that every border has the same one costs: annotated events then scatter by 0.75 % of a cycle
+/// instead of 0.66 % on a treadmill, by 1.17 instead of 1.05 % overground (measure/phase).
+double phase_of_borders(std::span<const Borders> sequences, const std::vector<Run>& runs) {
+    double cosine = 0, sine = 0;
+    for (std::size_t r = 0; r < runs.size(); ++r)
+        for (const double border : sequences[r]) {
+            const double angle = turn * runs[r].phase_at(border);
+            cosine += std::cos(angle);
+            sine += std::sin(angle);
+        }
+    return std::atan2(sine, cosine) / turn;
+}
+
+/// Begins to count with the first cycle of each sequence.
+void count_from_first(std::span<const Borders> sequences, std::vector<Run>& runs) {
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+        const double first = std::round(runs[r].phase_at(sequences[r].front()));
+        for (double& phase : runs[r].phase)
+            phase -= first;
+    }
+}
+
 std::vector<Run> linear_runs(std::span<const Borders> sequences, std::int64_t rows) {
     std::vector<Run> runs;
     for (const Borders& borders : sequences)
@@ -136,7 +158,10 @@ Phases find_phases(ConstMatrixView rows, double rate, std::span<const Borders> s
     std::vector<Run> runs = linear_runs(sequences, rows.rows);
     align(both.view(), period, poll, runs);
     Phases phases = registered(both.view(), std::move(runs), period, poll);
-    shift_zero(body_zero(phases.mean.loop, side), phases);
+    shift_zero(phase_of_borders(sequences, phases.runs), phases);
+    count_from_first(sequences, phases.runs);
+    phases.zero = body_zero(phases.mean.loop, side);
+    phases.zero -= std::floor(phases.zero);
     return phases;
 }
 

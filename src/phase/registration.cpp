@@ -9,6 +9,7 @@
 #include "base/progress.hpp"
 #include "linalg/band.hpp"
 #include "linalg/simd.hpp"
+#include "motion/curve/extrema.hpp"
 #include "motion/curve/statistics.hpp"
 
 namespace stltsa::phase {
@@ -184,24 +185,14 @@ double stiffness_of(double weight, double reach) {
     return weight * std::pow(reach, 4);
 }
 
-/// The row at which the phase of the run reaches `phase`, which lies within.
-double row_of(const std::vector<double>& phases, double phase) {
-    const auto after = std::ranges::upper_bound(phases, phase);
-    const auto i = std::clamp<std::ptrdiff_t>(after - phases.begin(), 1,
-                                              static_cast<std::ptrdiff_t>(phases.size()) - 1);
-    const double before = phases[static_cast<std::size_t>(i - 1)];
-    const double step = phases[static_cast<std::size_t>(i)] - before;
-    return static_cast<double>(i - 1) + (phase - before) / step;
-}
-
 /// Adds the share of time at each phase of the turn that begins at phase `from`.
-void add_turn(const std::vector<double>& phases, double from, std::vector<double>& shares) {
-    const double first = row_of(phases, from);
-    const double length = row_of(phases, from + 1) - first;
+void add_turn(const Run& run, double from, std::vector<double>& shares) {
+    const double first = run.row_at(from);
+    const double length = run.row_at(from + 1) - first;
     double before = first;
     for (auto bin = static_cast<std::int64_t>(std::floor(from * bins));; ++bin) {
         const double border = std::min(static_cast<double>(bin + 1) / bins, from + 1);
-        const double at = row_of(phases, border);
+        const double at = run.row_at(border);
         shares[static_cast<std::size_t>(((bin % bins) + bins) % bins)] += (at - before) / length;
         before = at;
         if (border >= from + 1)
@@ -216,7 +207,7 @@ void even_out(std::vector<Moving>& all) {
     for (const Moving& moving : all) {
         const std::vector<double>& phases = moving.run.phase;
         for (double from = phases.front(); from + 1 <= phases.back(); ++from, ++turns)
-            add_turn(phases, from, shares);
+            add_turn(moving.run, from, shares);
     }
     if (turns == 0)
         return;
@@ -405,9 +396,9 @@ Offset offset_between(const Loop& first, const Loop& second) {
     const auto at = [&](std::int64_t i) {
         return alike[static_cast<std::size_t>((i + places) % places)];
     };
-    const double bend = at(best - 1) - 2 * at(best) + at(best + 1);
-    const double vertex = bend < 0 ? (at(best - 1) - at(best + 1)) / (2 * bend) : 0;
-    const double shift = (static_cast<double>(best) + vertex) / places;
+    const double shift = (static_cast<double>(best) +
+                          motion::parabola_vertex(at(best - 1), at(best), at(best + 1))) /
+                         places;
     const double size = std::sqrt(first.variance() * second.variance());
     return {shift - std::floor(shift), size > 0 ? at(best) / size : 0};
 }

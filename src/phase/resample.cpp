@@ -14,18 +14,6 @@ namespace {
 /// Places between borders have such errors, in rows.
 constexpr double rounding = 1e-6;
 
-/// The place at which the rising values reach `value`; NaN outside.
-double place_of(const std::vector<double>& values, double value) {
-    if (!(value >= values.front() && value <= values.back()))
-        return none;
-    const auto after = std::ranges::lower_bound(values, value) - values.begin();
-    if (after == 0)
-        return 0;
-    const double before = values[static_cast<std::size_t>(after - 1)];
-    const double step = values[static_cast<std::size_t>(after)] - before;
-    return static_cast<double>(after - 1) + (value - before) / step;
-}
-
 double share_of(std::int64_t sample, std::int64_t samples) {
     return static_cast<double>(sample) / static_cast<double>(samples - 1);
 }
@@ -157,24 +145,19 @@ Matrix group_distance(const Resampled& of, std::span<const std::int64_t> groups)
     return result;
 }
 
-Matrix times_of(const Run& run, double first, std::int64_t count, std::int64_t samples) {
-    Matrix rows(count, samples);
-    for (std::int64_t k = 0; k < count; ++k)
-        for (std::int64_t s = 0; s < samples; ++s)
-            rows(k, s) = static_cast<double>(run.begin) +
-                         place_of(run.phase, first + static_cast<double>(k) + share_of(s, samples));
+Matrix times_of(const Run& run, const Borders& borders, std::int64_t samples, double shift) {
+    Matrix rows(static_cast<std::int64_t>(borders.size()) - 1, samples);
+    for (std::int64_t k = 0; k < rows.rows(); ++k) {
+        const double begin = borders[static_cast<std::size_t>(k)];
+        const double end = borders[static_cast<std::size_t>(k + 1)];
+        const double from = run.phase_at(begin), turn = run.phase_at(end) - from;
+        for (std::int64_t s = 0; s < samples; ++s) {
+            double share = share_of(s, samples) + shift;
+            share -= share > 1 || share < 0 ? std::floor(share) : 0;
+            rows(k, s) = std::clamp(run.row_at(from + share * turn), begin, end);
+        }
+    }
     return rows;
-}
-
-Turns closed_turn(const Run& run, double zero, std::int64_t samples) {
-    const auto end = std::ranges::lower_bound(run.phase, run.phase.front() + 1);
-    const std::vector<double> once(run.phase.begin(), end);
-    Run twice{run.begin, once};
-    for (const double phase : once)
-        twice.phase.push_back(phase + 1);
-    twice.phase.push_back(once.front() + 2);
-    const double first = std::ceil(run.phase.front() - zero) + zero;
-    return {times_of(twice, first, 1, samples), {{run.begin, run.begin + std::ssize(once)}}};
 }
 
 Matrix times_between(const Borders& borders, std::int64_t samples) {
@@ -190,17 +173,26 @@ Matrix times_between(const Borders& borders, std::int64_t samples) {
 
 Resampled resample(ConstMatrixView signals, Turns turns, const std::function<void()>& poll) {
     PacedPoll polls(poll);
+    const Matrix& rows = turns.rows;
+    std::vector<Matrix> each;
+    for (std::int64_t k = 0; k < rows.rows(); ++k) {
+        const Range repeated =
+            turns.repeated.empty() ? Range{} : turns.repeated[static_cast<std::size_t>(k)];
+        each.push_back(linear_rows(signals, rows.row(k), rows.cols(), repeated, polls));
+    }
+    return spread_of(std::move(turns.rows), std::move(each), poll);
+}
+
+Resampled spread_of(Matrix rows, std::vector<Matrix> each, const std::function<void()>& poll) {
+    PacedPoll polls(poll);
     Resampled made;
-    Matrix& rows = turns.rows;
+    made.each = std::move(each);
     made.warp = Matrix(rows.rows(), rows.cols());
     const std::int64_t last = rows.cols() - 1;
     for (std::int64_t k = 0; k < rows.rows(); ++k) {
         const double begin = rows(k, 0), length = rows(k, last) - begin;
         for (std::int64_t s = 0; s <= last; ++s)
             made.warp(k, s) = (rows(k, s) - begin) / length - share_of(s, last + 1);
-        const Range repeated =
-            turns.repeated.empty() ? Range{} : turns.repeated[static_cast<std::size_t>(k)];
-        made.each.push_back(linear_rows(signals, rows.row(k), rows.cols(), repeated, polls));
     }
     set_spread(made, polls);
     set_distances(made, polls);

@@ -12,9 +12,10 @@
 
 namespace stltsa::phase {
 
-/// Rows at which the `count` turns of the run from phase `first` on pass even phases: turns x
-/// samples, the last sample being the first of the next turn. NaN where the run does not reach.
-Matrix times_of(const Run& run, double first, std::int64_t count, std::int64_t samples);
+/// Rows at which each cycle, from border to border, passes even phases: cycles x samples, the last
+/// sample being the first of the next cycle. `shift`: as a share of the cycle; samples begin there
+/// and go on, after the end of the cycle, at its beginning.
+Matrix times_of(const Run& run, const Borders& borders, std::int64_t samples, double shift = 0);
 
 /// Where samples of cycles lie.
 struct Turns {
@@ -23,9 +24,6 @@ struct Turns {
     /// first one. An empty range: nothing is repeated.
     std::vector<Range> repeated;
 };
-
-/// The first turn that begins within the run. At its end the run continues at its beginning.
-Turns closed_turn(const Run& run, double zero, std::int64_t samples);
 
 /// The same as times_of() without registration: linear in time between the borders.
 Matrix times_between(const Borders& borders, std::int64_t samples);
@@ -48,5 +46,8 @@ Matrix group_distance(const Resampled& of, std::span<const std::int64_t> groups)
 /// `signals`: a row each; NaN is a missing value and is left out of means. Linear between rows. A
 /// row that is NaN, or beyond the last one, has no values. `poll`: called periodically, may throw.
 Resampled resample(ConstMatrixView signals, Turns turns, const std::function<void()>& poll = {});
+
+/// The same of cycles that are resampled already; `rows`: of each sample of each cycle.
+Resampled spread_of(Matrix rows, std::vector<Matrix> each, const std::function<void()>& poll = {});
 
 } // namespace stltsa::phase

@@ -99,7 +99,7 @@ std::optional<Mark> mark_at(const Searched& in, double row) {
         const double place = row - static_cast<double>(run.begin);
         if (place < 0 || row > static_cast<double>(run.end() - 1))
             continue;
-        return Mark{row, interpolated(run.phase, place), interpolated(in.distance[r], place),
+        return Mark{row, run.phase_at(row), interpolated(in.distance[r], place),
                     rows_beyond(in.known[r], row)};
     }
     return std::nullopt;

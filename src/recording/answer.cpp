@@ -201,7 +201,7 @@ void set_likeness(Work& work, const std::vector<Draft>& drafts) {
                 if (members[k] != i)
                     like.push_back(
                         work.features.likeness(work.features.moments(drafts[i].rows()),
-                                                work.features.moments(drafts[members[k]].rows())));
+                                               work.features.moments(drafts[members[k]].rows())));
             if (!like.empty())
                 work.result.segments[i].likeness = mean_of(like);
         }

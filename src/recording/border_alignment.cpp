@@ -58,8 +58,8 @@ template <class Visit>
 void around(const Signal& signal, const Moving& borders, std::size_t k, Visit visit) {
     const double bent = 1 + bent_s * signal.rate, length = borders.length[k];
     const double from = std::max(bent, borders.start.front() - beyond * length);
-    const double to =
-        std::min(static_cast<double>(signal.rows() - 1) - bent, borders.start.back() + beyond * length);
+    const double to = std::min(static_cast<double>(signal.rows() - 1) - bent,
+                               borders.start.back() + beyond * length);
     std::vector<double> velocity(static_cast<std::size_t>(signal.cols())), before = velocity;
     for (std::int64_t p = 0; p < places; ++p) {
         const double at =

@@ -67,9 +67,11 @@ std::optional<CyclicStretch> closed_cycle(const Signal& signal, const PeriodRang
     const std::int64_t n = signal.rows();
     const Signal loop = repeated(signal);
     const Rows all{0, copies * n};
-    const Stretch stretch{all, std::vector<double>(static_cast<std::size_t>(all.end), static_cast<double>(n)), 1};
+    const Stretch stretch{
+        all, std::vector<double>(static_cast<std::size_t>(all.end), static_cast<double>(n)), 1};
     CyclicStretch cut;
-    cut.stretch = {{0, n}, std::vector<double>(static_cast<std::size_t>(n), static_cast<double>(n)), 1};
+    cut.stretch = {
+        {0, n}, std::vector<double>(static_cast<std::size_t>(n), static_cast<double>(n)), 1};
     cut.growth = grow(loop, stretch, all, progress.poll());
     // The middle copy, which has a neighbor on each side.
     phase::Run& run = cut.growth.run;

@@ -8,8 +8,8 @@
 
 namespace stltsa::recording {
 
-/// The whole recording as one cycle if it ends where it begins, in the same motion, one row earlier:
-/// its own length is the lag after which it repeats.
+/// The whole recording as one cycle if it ends where it begins, in the same motion, one row
+/// earlier: its own length is the lag after which it repeats.
 std::optional<CyclicStretch> closed_cycle(const Signal& signal, const PeriodRange& periods,
                                           RowProgress& progress);
 

@@ -82,8 +82,9 @@ std::string reason_of(const std::vector<Draft>& drafts, ConstMatrixView samples,
     }
     if (best == nullptr)
         return "no period: nothing moves";
-    std::string reason = drafts.size() == 1 ? "no period: the motion " + best->reason
-                                            : "no segment repeats: the most regular one " + best->reason;
+    std::string reason = drafts.size() == 1
+                             ? "no period: the motion " + best->reason
+                             : "no segment repeats: the most regular one " + best->reason;
     if (!options.jump.empty())
         reason += format_text("; the pose jumps at {}: split the clip there, or repair the frame",
                               options.jump);

@@ -75,14 +75,14 @@ double length_deviation(const CyclicStretch& cut, const std::vector<Interval>& c
                         std::size_t i) {
     const auto count = static_cast<std::ptrdiff_t>(cycles.size());
     const auto at = static_cast<std::ptrdiff_t>(i);
-    const auto first = std::max<std::ptrdiff_t>(
-        0, std::min(at - compared_lengths / 2, count - compared_lengths));
+    const auto first =
+        std::max<std::ptrdiff_t>(0, std::min(at - compared_lengths / 2, count - compared_lengths));
     std::vector<double> lengths;
     for (std::ptrdiff_t k = first; k < std::min(count, first + compared_lengths); ++k)
         lengths.push_back(cycles[static_cast<std::size_t>(k)].length());
     const double deviation = std::log(cycles[i].length() / motion::median(lengths));
-    const bool at_rest = (i == 0 && cut.from_rest) || (i + 1 == cycles.size() && cut.to_rest);
-    return at_rest ? std::max(deviation, 0.0) : std::abs(deviation);
+    const bool ends_at_rest = (i == 0 && cut.from_rest) || (i + 1 == cycles.size() && cut.to_rest);
+    return ends_at_rest ? std::max(deviation, 0.0) : std::abs(deviation);
 }
 
 } // namespace
@@ -111,12 +111,12 @@ std::vector<double> cycle_confidences(const CyclicStretch& cut) {
     std::vector<double> confidences;
     for (std::size_t i = 0; i < cycles.size(); ++i) {
         const double deviation = deviation_of(cut.growth, cycles[i]);
-        confidences.push_back(
-            std::isnan(deviation)
-                ? 0
-                : logistic(base + of_deviation * std::log(deviation + min_deviation) +
-                           of_turns * std::log(turns - no_turns) +
-                           of_length * length_deviation(cut, cycles, i)));
+        confidences.push_back(std::isnan(deviation)
+                                  ? 0
+                                  : logistic(base +
+                                             of_deviation * std::log(deviation + min_deviation) +
+                                             of_turns * std::log(turns - no_turns) +
+                                             of_length * length_deviation(cut, cycles, i)));
     }
     return confidences;
 }

@@ -135,17 +135,17 @@ class Grower {
         const auto local = [&](std::int64_t row) { return period_[static_cast<std::size_t>(row)]; };
         const double period = local(at_end ? grown_.end - 1 : grown_.begin);
         const auto step = std::max<std::int64_t>(2, std::llround(growth_periods * period));
-        const Range fresh = at_end
-                                ? Range{grown_.end, std::min(both_.rows(), grown_.end + step)}
-                                : Range{std::max<std::int64_t>(0, grown_.begin - step), grown_.begin};
+        const Range fresh =
+            at_end ? Range{grown_.end, std::min(both_.rows(), grown_.end + step)}
+                   : Range{std::max<std::int64_t>(0, grown_.begin - step), grown_.begin};
         if (fresh.rows() < 1)
             return false;
         const auto again =
             std::min<std::int64_t>(grown_.rows(), std::llround(registered_again * period));
-        const Range all = at_end ? Range{fresh.begin - again, fresh.end}
-                                 : Range{fresh.begin, fresh.end + again};
-        const Run more = phase::register_with(both_.view(), mean_, continued(all), slowest,
-                                              smooth, poll_);
+        const Range all =
+            at_end ? Range{fresh.begin - again, fresh.end} : Range{fresh.begin, fresh.end + again};
+        const Run more =
+            phase::register_with(both_.view(), mean_, continued(all), slowest, smooth, poll_);
         const std::int64_t kept = same_motion(more, fresh, at_end);
         if (kept > 0) {
             const Range rows = at_end ? Range{fresh.begin - again / 2, fresh.begin + kept}
@@ -186,8 +186,7 @@ class Grower {
         if (!(tempo < max_tempo_ratio && tempo > 1 / max_tempo_ratio))
             return 0;
         const std::vector<double> all = deviations(more);
-        const auto reach =
-            std::max<std::int64_t>(2, std::llround(deviation_periods * typical_));
+        const auto reach = std::max<std::int64_t>(2, std::llround(deviation_periods * typical_));
         const auto row = [&](std::int64_t i) { // the i-th from the known ones, which are negative
             return static_cast<std::size_t>((at_end ? fresh.begin + i : fresh.end - 1 - i) -
                                             more.begin);
@@ -210,19 +209,22 @@ class Grower {
                 off(i, c) = both_(run.begin + i, c) - off(i, c);
         }
         // Sway: what the poses are off over the period around, or beside the row at an end.
-        const auto period = std::min<std::int64_t>(run.rows(), std::max<std::int64_t>(1, std::llround(typical_)));
+        const auto period =
+            std::min<std::int64_t>(run.rows(), std::max<std::int64_t>(1, std::llround(typical_)));
         std::vector<double> squares, sway(static_cast<std::size_t>(poses_));
         std::int64_t begin = 0, end = 0;
         for (std::int64_t i = 0; i < run.rows(); ++i) {
-            const std::int64_t from = std::clamp<std::int64_t>(i - period / 2, 0, run.rows() - period);
+            const std::int64_t from =
+                std::clamp<std::int64_t>(i - period / 2, 0, run.rows() - period);
             for (; end < from + period; ++end)
                 axpy(1 / static_cast<double>(period), off.row(end), sway.data(), poses_);
             for (; begin < from; ++begin)
                 axpy(-1 / static_cast<double>(period), off.row(begin), sway.data(), poses_);
             const double all = dot(off.row(i), off.row(i), off.cols());
             const double along = dot(off.row(i), sway.data(), poses_);
-            squares.push_back(std::max(0.0, all - 2 * along + dot(sway.data(), sway.data(), poses_)) /
-                              mean_.loop.variance());
+            squares.push_back(
+                std::max(0.0, all - 2 * along + dot(sway.data(), sway.data(), poses_)) /
+                mean_.loop.variance());
         }
         return squares;
     }
@@ -246,8 +248,7 @@ double Growth::row_of(double phase) const {
     const auto i = std::clamp<std::ptrdiff_t>(after, 1, run.rows() - 1);
     const double before = run.phase[static_cast<std::size_t>(i - 1)];
     const double step = run.phase[static_cast<std::size_t>(i)] - before;
-    return static_cast<double>(run.begin + i - 1) +
-           std::clamp((phase - before) / step, -0.5, 1.5);
+    return static_cast<double>(run.begin + i - 1) + std::clamp((phase - before) / step, -0.5, 1.5);
 }
 
 Growth grow(const Signal& signal, const Stretch& stretch, Rows within,

@@ -68,9 +68,9 @@ void refuse_nested(double rate, std::vector<CyclicStretch>& cuts) {
     for (CyclicStretch& cut : cuts)
         for (const CyclicStretch& other : cuts) {
             const double period = cut.growth.mean.period, longer = other.growth.mean.period;
-            const auto apart = static_cast<double>(
-                std::max(cut.growth.run.begin - other.growth.run.end(),
-                         other.growth.run.begin - cut.growth.run.end()));
+            const auto apart =
+                static_cast<double>(std::max(cut.growth.run.begin - other.growth.run.end(),
+                                             other.growth.run.begin - cut.growth.run.end()));
             if (cut.claimed() && other.growth.turns() >= min_periods_beside &&
                 period < shorter_period * longer && apart < longer / 2 &&
                 static_cast<double>(cut.growth.run.rows()) < min_periods_beside * longer)
@@ -103,7 +103,8 @@ Part decide(const Signal& signal, Rows rows, const StillRows& still, const Perio
             continue;
         CyclicStretch cut = cut_stretch(signal, stretch, free, still, progress);
         const phase::Run& run = cut.growth.run;
-        for (const Rows left : {Rows{stretch.rows.begin, run.begin}, Rows{run.end(), stretch.rows.end}})
+        for (const Rows left :
+             {Rows{stretch.rows.begin, run.begin}, Rows{run.end(), stretch.rows.end}})
             if (run.rows() > 1 && left.count() < stretch.rows.count())
                 if (Stretch rest = within(stretch, left);
                     static_cast<double>(rest.rows.count()) >

@@ -15,8 +15,8 @@ namespace {
 // Scores are per second.
 /// The match of repeated motion; below it, none is the better state.
 constexpr double none_score = 0.35;
-/// A lag must match better than some shorter lag by this: slow motion matches at any short lag. What
-/// it lacks counts so many times: once, and smooth noise has cycles.
+/// A lag must match better than some shorter lag by this: slow motion matches at any short lag.
+/// What it lacks counts so many times: once, and smooth noise has cycles.
 constexpr double least_rise = 0.5;
 constexpr double price_of_rise = 2;
 /// Price for each doubling of the lag, since multiples of a period match as well.

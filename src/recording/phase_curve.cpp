@@ -208,16 +208,19 @@ PhaseCurve trace_view(ConstMatrixView samples, RowProgress& progress, const Valu
         const auto begin = static_cast<std::size_t>(starts[c]);
         const std::int64_t end = c + 1 == starts.size() ? samples.rows : starts[c] + chunk;
         progress.reached(places[begin]);
-        Embedding embedded = embed_chunk(samples.block(starts[c], end - starts[c]), progress.poll());
+        Embedding embedded =
+            embed_chunk(samples.block(starts[c], end - starts[c]), progress.poll());
         result.cyclicity.push_back(0);
         if (embedded.pairs.empty())
             continue;
         const std::size_t own = simplest(embedded.pairs);
         Choice chosen{embedded.pairs[own].first, 0, embedded.pairs[own].cyclicity};
         if (first_end > 0) {
-            const Values mean = repeated_mean(
-                std::span(result.curve).first(static_cast<std::size_t>(first_end)), end - starts[c]);
-            if (Choice turn = best_turn(embedded.pairs, mean); turn.correlation >= least_correlation)
+            const Values mean =
+                repeated_mean(std::span(result.curve).first(static_cast<std::size_t>(first_end)),
+                              end - starts[c]);
+            if (Choice turn = best_turn(embedded.pairs, mean);
+                turn.correlation >= least_correlation)
                 chosen = std::move(turn);
         } else if (c == 0) {
             first_end = end;
@@ -259,8 +262,8 @@ PhaseCurve trace_phase(const Signal& signal, const Growth& growth, RowProgress& 
     Values places;
     Matrix samples(count, signal.cols());
     for (std::int64_t i = 0; i < count; ++i) {
-        places.push_back(
-            growth.row_of(first + static_cast<double>(i) / static_cast<double>(samples_per_period)));
+        places.push_back(growth.row_of(first + static_cast<double>(i) /
+                                                   static_cast<double>(samples_per_period)));
         row_at(signal.poses.view(), places.back(), samples.row(i));
     }
     PhaseCurve curve = trace_view(samples.view(), progress, places);

@@ -47,7 +47,8 @@ std::vector<double> side_motion(const Signal& signal, ConstMatrixView samples,
         swing(i, 0) = dot(samples.row(i * signal.step), side.data(), samples.cols);
     const double length =
         std::sqrt(dot(side.data(), side.data(), static_cast<std::int64_t>(side.size())));
-    const Matrix smooth = gaussian_smoothed(swing.view(), smoothing_s * signal.rate, Beyond::reflection);
+    const Matrix smooth =
+        gaussian_smoothed(swing.view(), smoothing_s * signal.rate, Beyond::reflection);
     std::vector<double> motion;
     for (std::int64_t i = 0; i < signal.rows(); ++i) {
         const std::int64_t before = std::max<std::int64_t>(0, i - 1);
@@ -108,8 +109,8 @@ double first_half_of(const Signal& signal, std::span<const Interval> cycles) {
     for (int step = -steps; step <= steps; ++step)
         if (likeness(step) > likeness(best))
             best = step;
-    const double step = best + motion::parabola_vertex(likeness(best - 1), likeness(best),
-                                                       likeness(best + 1));
+    const double step =
+        best + motion::parabola_vertex(likeness(best - 1), likeness(best), likeness(best + 1));
     return 0.5 + max_off_middle * step / steps;
 }
 

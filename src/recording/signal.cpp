@@ -201,7 +201,8 @@ Signal make_signal(ConstMatrixView samples, double fps, double smoothed_s, doubl
             more > 0 ? gaussian_smoothed(poses.view(), more, Beyond::reflection, 1, poll) : poses;
         // Reflection would make noise at the ends twice as large: a body that stands would move.
         signal.velocity = velocities(poses, std::hypot(more, sigma), poll);
-        signal.speed = speeds(signal.velocity, std::hypot(speed_smoothing_s * signal.rate, more), poll);
+        signal.speed =
+            speeds(signal.velocity, std::hypot(speed_smoothing_s * signal.rate, more), poll);
         poll();
         noise = std::sqrt(rough * noise_in_velocities(smoothed_s * signal.rate, more, sigma));
         all = typical(signal.speed);

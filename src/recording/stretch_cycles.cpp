@@ -5,15 +5,13 @@
 #include <cmath>
 #include <optional>
 #include <span>
-#include <cstdio>
-#include <cstdlib>
 
 #include "linalg/simd.hpp"
 #include "motion/curve/extrema.hpp"
 #include "motion/curve/smoothing.hpp"
 #include "motion/curve/statistics.hpp"
-#include "recording/evidence.hpp"
 #include "recording/border_alignment.hpp"
+#include "recording/evidence.hpp"
 
 namespace stltsa::recording {
 namespace {
@@ -186,7 +184,9 @@ std::vector<double> margins_of(const PhaseCurve& curve) {
     const auto [low, high] = std::ranges::minmax(thrice);
     const auto extrema = motion::alternating_extrema(thrice, prominence * (high - low));
     const std::vector<double> slopes = motion::slope(thrice);
-    const auto steep = [&](std::int64_t i) { return std::abs(slopes[static_cast<std::size_t>(i)]); };
+    const auto steep = [&](std::int64_t i) {
+        return std::abs(slopes[static_cast<std::size_t>(i)]);
+    };
     std::vector<double> margins;
     for (std::size_t e = 0; e + 1 < extrema.size(); ++e) {
         std::int64_t at = extrema[e].at;
@@ -203,7 +203,8 @@ std::vector<double> margins_of(const PhaseCurve& curve) {
 }
 
 /// How much a margin is preferred over the others of its cycle: where one side of the body comes
-/// forward; or, if the sides are unknown, where the columns rise. The coordinate itself has no sign.
+/// forward; or, if the sides are unknown, where the columns rise. The coordinate itself has no
+/// sign.
 double preference_for(const Signal& signal, const Growth& growth, double margin) {
     const auto rows = [&](const auto& visit) {
         const double first = margin + std::ceil(growth.run.phase.front() - margin);
@@ -251,10 +252,10 @@ std::vector<double> borders_at_margins(const Signal& signal, const Growth& growt
     }
     double after = preferred - first - std::floor(preferred - first);
     double count = std::floor(turns - after + turn_tolerance);
-    if (const double most = std::floor(turns + turn_tolerance); cut_off && count < most) {
-        const double room = std::max(0.0, turns - most);
+    if (const double whole = std::floor(turns + turn_tolerance); cut_off && count < whole) {
+        const double room = std::max(0.0, turns - whole);
         after = after - room < 1 - after ? room : 0;
-        count = most;
+        count = whole;
     }
     std::vector<double> borders;
     for (double turn = 0; turn <= count; ++turn)
@@ -330,14 +331,13 @@ CyclicStretch cut_stretch(const Signal& signal, const Stretch& stretch, Rows wit
     }
     cut.phase = trace_phase(signal, growth, progress);
     if (cut.borders.size() < 2)
-        cut.borders = align_borders(signal, within, borders_at_margins(signal, growth, cut.phase, !beside.before && !beside.after),
-                                    progress.poll());
+        cut.borders = align_borders(
+            signal, within,
+            borders_at_margins(signal, growth, cut.phase, !beside.before && !beside.after),
+            progress.poll());
     for (std::vector<double>* curve : {&cut.phase.curve, &cut.phase.partner})
         *curve = leveled(motion::smooth(*curve, curve_smoothing * samples_per_period));
-    if (getenv("DBG3")) { fprintf(stderr,"dev:"); for(std::size_t i=0;i<growth.deviation.size();++i) if(i<40||i+40>growth.deviation.size()) fprintf(stderr," %.2f:%.2f",growth.run.phase[i],growth.deviation[i]); fprintf(stderr,"\n");}
-    if (getenv("DBG")) { fprintf(stderr,"run %ld-%ld phase %.3f..%.3f T %.2f q %.2f curve cyc %.2f\n borders",(long)growth.run.begin,(long)growth.run.end(),growth.run.phase.front(),growth.run.phase.back(),growth.mean.period,stretch.quality,cut.phase.typical_cyclicity()); for(double b: cut.borders) fprintf(stderr," %.3f",b); fprintf(stderr,"\n unaligned"); if(!cut.phase.places.empty()) for(double b: borders_at_margins(signal,growth,cut.phase,!beside.before && !beside.after)) fprintf(stderr," %.3f",b); fprintf(stderr,"\n"); }
     cut.confidences = cycle_confidences(cut);
-    if (getenv("DBG")) { for(double b: cut.confidences) fprintf(stderr," %.3f",b); fprintf(stderr,"\n");}
     cut.doubt = decide(still, signal.rate, cut);
     return cut;
 }

@@ -24,7 +24,7 @@ struct CyclicStretch {
     Stretch stretch;
     Growth growth;
     PhaseCurve phase;
-    std::vector<double> borders;     ///< rows: cycle i lasts from border i to i + 1
+    std::vector<double> borders; ///< rows: cycle i lasts from border i to i + 1
     bool from_rest = false; ///< the first border is where the motion leaves its posture of rest
     bool to_rest = false;   ///< the last one is where it is back
     std::vector<double> confidences; ///< of the cycles

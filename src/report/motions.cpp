@@ -14,7 +14,7 @@
 #include "clip/features/column_owners.hpp"
 #include "clip/features/points.hpp"
 #include "report/packed.hpp"
-#include "results/sides.hpp"
+#include "results/compared.hpp"
 #include "results/summary.hpp"
 
 namespace stltsa::report {
@@ -202,41 +202,35 @@ Json times_json(const Matrix& rows) {
     return all;
 }
 
-Json sides_json(const results::ComparedSides& sides, bool axes) {
-    std::map<std::string, std::size_t> seen;
+Json sides_json(const results::Comparison& found) {
     std::vector<Json> pairs;
-    const std::int64_t count = std::min<std::int64_t>(std::ssize(sides.pairs), most_columns);
-    Matrix left(sides.samples, count), right(sides.samples, count);
-    for (std::int64_t p = 0; p < count; ++p) {
-        const results::SidePair& pair = sides.pairs[static_cast<std::size_t>(p)];
-        const phase::CurveDifference& d = pair.difference;
-        const std::size_t part = seen[pair.left_name]++;
-        pairs.push_back(JsonObject("left", pair.left_name, "right", pair.right_name, "axis",
-                                   axes && part < 3 ? std::string(1, "xyz"[part]) : std::string(),
-                                   "rms", d.rms, "chance", d.chance, "mean", d.mean, "left_range",
-                                   d.left_range, "right_range", d.right_range, "shift", d.shift,
-                                   "correlation", d.correlation));
-        for (std::int64_t s = 0; s < sides.samples; ++s) {
-            left(s, p) = pair.left_curve[static_cast<std::size_t>(s)];
-            right(s, p) = pair.right_curve[static_cast<std::size_t>(s)];
-        }
+    std::vector<std::int64_t> columns;
+    for (std::size_t c = 0; c < found.columns.axis.size() && pairs.size() < most_columns; ++c) {
+        const phase::PartDifference& of = found.differences.columns[c];
+        const auto part = static_cast<std::size_t>(found.columns.part[c]);
+        pairs.push_back(JsonObject(
+            "left", found.columns.names[part], "right", found.columns.other_names[part], "axis",
+            found.columns.axis[c], "rms", of.rms, "chance", of.chance, "mean", -of.mean.difference,
+            "left_range", of.amplitude.first, "right_range", of.amplitude.second, "shift",
+            of.lag.difference, "correlation", of.correlation));
+        columns.push_back(static_cast<std::int64_t>(c));
     }
-    return JsonObject("reason", sides.reason, "pairs", pairs, "left_curves", packed(left.view()),
-                      "right_curves", packed(right.view()));
+    return JsonObject("reason", "", "pairs", pairs, "left_curves",
+                      packed(taken(found.motions[0].mean, 1, columns).view()), "right_curves",
+                      packed(taken(found.motions[1].mean, 1, columns).view()));
 }
 
 /// Left against right, or the reason why they are not compared.
 Json compared_sides(const clip::Clip& clip, const results::Phased& phased, std::int32_t label,
                     const clip::PrepareOptions& prepare, const Progress& progress) {
-    const clip::Features kind = phased.samples.features;
-    const bool axes = kind == clip::Features::positions || kind == clip::Features::points;
     try {
-        return sides_json(results::compare_sides(clip, phased, label, samples, prepare, progress),
-                          axes);
+        return sides_json(
+            results::compare_left_right(clip, phased, label, samples, prepare, progress));
     } catch (const Error& error) {
-        if (error.status() != Status::argument && error.status() != Status::unsupported)
+        if (error.status() != Status::argument && error.status() != Status::unsupported &&
+            error.status() != Status::too_few_frames)
             throw;
-        return sides_json({{}, 0, error.what()}, axes);
+        return JsonObject("reason", error.what(), "pairs", std::vector<Json>());
     }
 }
 

@@ -8,6 +8,7 @@
 #include "report/motions.hpp"
 #include "report/packed.hpp"
 #include "report/template.hpp"
+#include "results/mirror_image.hpp"
 #include "results/phased.hpp"
 
 namespace stltsa::report {
@@ -84,8 +85,9 @@ std::string_view bytes_of(const Matrix& matrix) {
 
 std::string page(const Reported& reported, const Progress& progress) {
     const clip::Clip& clip = reported.clip;
-    const results::Phased phased =
-        results::find_phase(clip, reported.decomposed, reported.prepare, progress);
+    const auto found = results::phase_of(reported.decomposed, progress);
+    const results::Phased& phased = *found;
+    results::check_same_clip(clip, phased);
     const auto poll = [&] { progress.report(Stage::write, 0); };
     const std::vector<Part> parts = parts_of(clip);
     JsonObject data("format", "stltsa-report/1", "command", reported.command, "checksum",

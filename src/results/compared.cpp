@@ -26,13 +26,6 @@ std::string name_of(const Phased& phased, const char* which) {
     return phased.clip.path.empty() ? format_text("the {} clip", which) : phased.clip.path;
 }
 
-std::int64_t frames_of(const PhasedMotion& motion) {
-    std::int64_t count = 0;
-    for (const phase::Run& run : motion.phases.runs)
-        count += run.rows();
-    return count;
-}
-
 /// The cyclic motions that may be compared.
 std::vector<const PhasedMotion*> candidates(const Phased& phased, std::optional<std::int32_t> label,
                                             const char* which) {
@@ -50,50 +43,36 @@ std::vector<const PhasedMotion*> candidates(const Phased& phased, std::optional<
     return found;
 }
 
-const PhasedMotion& longest(const std::vector<const PhasedMotion*>& motions) {
-    return **std::ranges::max_element(
-        motions, {}, [](const PhasedMotion* motion) { return frames_of(*motion); });
-}
-
-Matrix chosen(const Matrix& rows, const std::vector<std::int64_t>& columns) {
-    Matrix result = Matrix::unset(rows.rows(), static_cast<std::int64_t>(columns.size()));
-    for (std::int64_t i = 0; i < result.rows(); ++i)
-        for (std::size_t c = 0; c < columns.size(); ++c)
-            result(i, static_cast<std::int64_t>(c)) = rows(i, columns[c]);
-    return result;
-}
-
-/// For each cycle, whether the clip has all its samples.
-std::vector<bool> complete(const phase::Turns& turns) {
-    const Matrix& rows = turns.rows;
-    std::vector<bool> result;
-    for (std::int64_t k = 0; k < rows.rows(); ++k)
-        result.push_back(std::none_of(rows.row(k), rows.row(k) + rows.cols(),
-                                      [](double row) { return std::isnan(row); }));
-    return result;
-}
-
 using Poll = std::function<void()>;
 
 Poll poll_of(const Progress& progress) {
     return [progress] { progress.report(Stage::units, 0); };
 }
 
-phase::Resampled resampled(const Matrix& signals, const phase::Turns& turns,
-                           const std::vector<bool>& wanted, const std::string& name,
-                           const Poll& poll) {
-    const std::int64_t samples = turns.rows.cols();
-    phase::Turns kept{Matrix(std::ranges::count(wanted, true), samples), {}};
-    double* to = kept.rows.data();
+/// For each cycle, whether it has all its samples.
+std::vector<bool> complete(const phase::Resampled& cycles) {
+    std::vector<bool> result;
+    for (const Matrix& cycle : cycles.each)
+        result.push_back(std::none_of(cycle.data(), cycle.data() + cycle.rows() * cycle.cols(),
+                                      [](double value) { return std::isnan(value); }));
+    return result;
+}
+
+phase::Resampled kept(const std::vector<bool>& wanted, phase::Resampled cycles,
+                      const std::string& name, const Poll& poll) {
+    if (std::ranges::find(wanted, false) == wanted.end())
+        return cycles;
+    std::vector<Matrix> each;
+    Matrix rows = Matrix::unset(std::ranges::count(wanted, true), cycles.rows.cols());
     for (std::size_t k = 0; k < wanted.size(); ++k)
         if (wanted[k]) {
-            to = std::copy_n(turns.rows.row(static_cast<std::int64_t>(k)), samples, to);
-            kept.repeated.push_back(turns.repeated[k]);
+            std::copy_n(cycles.rows.row(static_cast<std::int64_t>(k)), rows.cols(),
+                        rows.row(std::ssize(each)));
+            each.push_back(std::move(cycles.each[k]));
         }
-    if (kept.rows.rows() == 0)
-        fail(Status::too_few_frames,
-             "{} has no complete cycle from 0 to 100 %: a longer clip is needed", name);
-    return phase::resample(signals.view(), std::move(kept), poll);
+    if (each.empty())
+        fail(Status::too_few_frames, "{} have no cycle without a missing value", name);
+    return phase::spread_of(std::move(rows), std::move(each), poll);
 }
 
 /// Signals and motion of one clip.
@@ -104,9 +83,12 @@ struct Side {
     const char* which;
     Poll poll;
 
-    phase::Resampled cycles(std::int64_t samples, double zero) const {
-        const phase::Turns turns = turns_of(motion, samples, zero);
-        return resampled(signals, turns, complete(turns), name_of(phased, which), poll);
+    /// `shift`: phase at which samples begin; cycles begin at their borders all the same.
+    phase::Resampled cycles(std::int64_t samples, double shift = 0) const {
+        auto made = phase::resample(signals.view(), turns_of(phased, motion, samples, shift), poll);
+        if (shift != 0)
+            made.rows = turns_of(phased, motion, samples).rows;
+        return made;
     }
 };
 
@@ -133,7 +115,7 @@ bool headings_differ(const Phased& first, const Phased& second) {
         second.samples.up == clip::Axis::none)
         return false;
     return first.samples.features == clip::Features::points ||
-           !clip::same_hierarchy(first.body.skeleton, second.body.skeleton);
+           !clip::same_hierarchy(first.of->body.skeleton, second.of->body.skeleton);
 }
 
 phase::Lag lag_of(const phase::Resampled& first, const phase::Resampled& second, const Poll& poll) {
@@ -144,7 +126,7 @@ phase::Lag lag_of(const phase::Resampled& first, const phase::Resampled& second,
 
 /// Turns the second body about `axis`, the up axis of the first, to face as the first does.
 double turn_second(const phase::Resampled& first, clip::Axis axis, Side& second) {
-    const phase::Resampled other = second.cycles(first.mean.rows(), 0);
+    const phase::Resampled other = second.cycles(first.mean.rows());
     const auto up = static_cast<std::int64_t>(axis);
     const Level level{up % 3, (up + 1) % 3, 3};
     const ConstMatrixView to = phase::once_around(first.mean),
@@ -163,6 +145,16 @@ double turn_second(const phase::Resampled& first, clip::Axis axis, Side& second)
     return turn_to(to, phase::later(mean, best).view(), level, second.signals);
 }
 
+/// Half a cycle later: the second half, then the first.
+Matrix half_later(const Matrix& cycle, PacedPoll& polls) {
+    const ConstMatrixView once = phase::once_around(cycle);
+    const Matrix later = phase::later(once, static_cast<double>(once.rows) / 2, polls);
+    Matrix result = Matrix::unset(cycle.rows(), cycle.cols());
+    std::copy_n(later.data(), later.rows() * later.cols(), result.data());
+    std::copy_n(later.data(), later.cols(), result.row(later.rows()));
+    return result;
+}
+
 /// Root mean square distance of the parts from their center, over the mean cycle.
 double size_of(const Matrix& mean) {
     double squares = 0;
@@ -179,6 +171,8 @@ double size_of(const Matrix& mean) {
 }
 
 phase::Quantity cycle_times(const phase::Resampled& cycles, double fps) {
+    if (!(fps > 0))
+        return {none, std::vector<double>(cycles.each.size(), none)};
     phase::Quantity times;
     const std::int64_t last = cycles.rows.cols() - 1;
     for (std::int64_t k = 0; k < cycles.rows.rows(); ++k) {
@@ -190,11 +184,6 @@ phase::Quantity cycle_times(const phase::Resampled& cycles, double fps) {
     return times;
 }
 
-ComparedMotion motion_facts(const Side& side, phase::Resampled& cycles) {
-    return {side.phased.clip, side.motion.label, static_cast<std::int64_t>(cycles.each.size()),
-            std::move(cycles.mean), std::move(cycles.deviation)};
-}
-
 void judge(const phase::Estimate& estimate, Comparison& result) {
     if (!(estimate.error > 0))
         return;
@@ -202,19 +191,21 @@ void judge(const phase::Estimate& estimate, Comparison& result) {
     result.significant += estimate.significant ? 1 : 0;
 }
 
-void warn(const Side& side, const ComparedMotion& motion, Comparison& result) {
+void warn_of_few(const std::string& name, std::int64_t cycles, Comparison& result) {
+    if (cycles < 3)
+        result.warnings.push_back(
+            format_text("{}: only {}", name,
+                        cycles == 1 ? "one cycle is complete, so spread and intervals are unknown"
+                                    : "two cycles are complete, so intervals are wide"));
+}
+
+void set_motion(const Side& side, ComparedMotion& motion, Comparison& result) {
+    motion.clip = side.phased.clip;
+    motion.label = side.motion.label;
     const std::string name = name_of(side.phased, side.which);
     for (const std::string& warning : side.phased.warnings)
         result.warnings.push_back(format_text("{}: {}", name, warning));
-    if (motion.cycles >= 3)
-        return;
-    const char* const whole =
-        result.sides ? "complete on both sides (the right side is half a cycle later)" : "complete";
-    result.warnings.push_back(
-        motion.cycles == 1
-            ? format_text("{}: only one cycle is {}, so spread and intervals are unknown", name,
-                          whole)
-            : format_text("{}: only two cycles are {}, so intervals are wide", name, whole));
+    warn_of_few(name, motion.cycles, result);
 }
 
 void warn_of_likeness(Comparison& result) {
@@ -240,11 +231,12 @@ Placement placement(const Phased& first, const CommonColumns& columns) {
                      first.samples.up, std::vector<std::int64_t>(columns.names.size(), -1)};
     if (!placed.skeleton)
         return placed;
-    const auto& joints = first.body.skeleton.joints;
+    const auto& joints = first.of->body.skeleton.joints;
     std::vector<std::int64_t> part_of(joints.size(), -1);
     for (std::size_t c = 0; c < columns.first.size(); ++c) // each joint has three
-        part_of[first.body.root + static_cast<std::size_t>(columns.first[c] / 3)] = columns.part[c];
-    for (std::size_t j = first.body.root; j < joints.size(); ++j) {
+        part_of[first.of->body.root + static_cast<std::size_t>(columns.first[c] / 3)] =
+            columns.part[c];
+    for (std::size_t j = first.of->body.root; j < joints.size(); ++j) {
         int parent = joints[j].parent;
         while (parent >= 0 && part_of[static_cast<std::size_t>(parent)] < 0)
             parent = joints[static_cast<std::size_t>(parent)].parent;
@@ -255,56 +247,98 @@ Placement placement(const Phased& first, const CommonColumns& columns) {
     return placed;
 }
 
-/// Compares cycles that are aligned.
-Comparison compared(const Side& first, const Side& second, phase::Resampled one,
-                    phase::Resampled other, CommonColumns columns, bool sides) {
+/// Compares cycles that are aligned. `fps`: of both.
+Comparison compared(phase::Resampled one, phase::Resampled other, std::array<double, 2> fps,
+                    CommonColumns columns, bool sides, const Poll& poll) {
     Comparison result;
     result.sides = sides;
     result.samples = one.mean.rows();
-    result.features = first.phased.samples.features;
-    result.differences = phase::compare(one, other, columns.part, sides, first.poll);
+    result.differences = phase::compare(one, other, columns.part, sides, poll);
     result.likeness = result.differences.likeness;
     result.runner_up = result.differences.runner_up;
-    result.size_ratio = in_space(first.phased) && columns.names.size() > 1
-                            ? size_of(other.mean) / size_of(one.mean)
-                            : none;
-    const phase::Quantity time = cycle_times(one, first.phased.clip.fps);
-    const phase::Quantity other_time = cycle_times(other, second.phased.clip.fps);
+    result.size_ratio = none;
+    result.placement.parents.assign(columns.names.size(), -1);
+    const phase::Quantity time = cycle_times(one, fps[0]), other_time = cycle_times(other, fps[1]);
     result.cycle_time =
         phase::estimate(time, other_time, phase::dependence_of(time, other_time, sides));
-    result.motions = {motion_facts(first, one), motion_facts(second, other)};
-    result.placement = placement(first.phased, columns);
+    for (std::size_t i = 0; i < 2; ++i) {
+        phase::Resampled& cycles = i == 0 ? one : other;
+        result.motions[i] = {
+            {}, 0, std::ssize(cycles.each), std::move(cycles.mean), std::move(cycles.deviation)};
+        result.motions[i].clip.fps = fps[i];
+    }
     result.columns = std::move(columns);
     for (const phase::PartDifference& part : result.differences.parts) {
         judge(part.lag, result);
         judge(part.amplitude, result);
     }
-    warn(first, result.motions[0], result);
-    if (!sides)
-        warn(second, result.motions[1], result);
-    first.poll(); // freeing the cycles of many columns takes long, too
+    poll(); // freeing the cycles of many columns takes long, too
+    return result;
+}
+
+/// What is known of the clips besides their cycles.
+void set_clips(const Side& first, const Side& second, Comparison& result) {
+    result.features = first.phased.samples.features;
+    if (in_space(first.phased) && result.columns.names.size() > 1)
+        result.size_ratio = size_of(result.motions[1].mean) / size_of(result.motions[0].mean);
+    result.placement = placement(first.phased, result.columns);
+    set_motion(first, result.motions[0], result);
+    if (result.sides) {
+        result.motions[1].clip = result.motions[0].clip;
+        result.motions[1].label = result.motions[0].label;
+    } else
+        set_motion(second, result.motions[1], result);
+}
+
+/// Left against right half a cycle later: the second half of each cycle, then its first. Both have
+/// the same cycles, with a row for each column that is compared.
+Comparison compared_sides(const phase::Resampled& left, const phase::Resampled& right, double fps,
+                          CommonColumns columns, const std::string& name, const Poll& poll) {
+    PacedPoll polls(poll);
+    const auto of_all = [&](const phase::Resampled& cycles, const auto& make) {
+        std::vector<Matrix> each;
+        for (const Matrix& cycle : cycles.each)
+            each.push_back(make(cycle));
+        return phase::spread_of(copied(cycles.rows.view()), std::move(each), poll);
+    };
+    auto one = of_all(
+        left, [&](const Matrix& of) { return phase::chosen(of.view(), columns.first, polls); });
+    auto other = of_all(right, [&](const Matrix& of) {
+        return half_later(phase::chosen(of.view(), columns.second, polls), polls);
+    });
+    std::vector<bool> both = complete(one);
+    const std::vector<bool> of_right = complete(other);
+    for (std::size_t k = 0; k < both.size(); ++k)
+        both[k] = both[k] && of_right[k];
+    Comparison result =
+        compared(kept(both, std::move(one), name, poll), kept(both, std::move(other), name, poll),
+                 {fps, fps}, std::move(columns), true, poll);
+    result.shift = {none, none, none, none, 0.5, none, none, none, false};
     return result;
 }
 
 Comparison compared_with(const Phased& first, const PhasedMotion& motion, const Phased& second,
                          const PhasedMotion& other, std::int64_t samples, const Poll& poll) {
     CommonColumns columns = common_columns(first, second);
-    poll();
-    Side one{first, motion, chosen(first.rows, columns.first), "first", poll};
-    Side two{second, other, chosen(second.rows, columns.second), "second", poll};
+    PacedPoll polls(poll);
+    Side one{first, motion, phase::chosen(first.rows.view(), columns.first, polls), "first", poll};
+    Side two{second, other, phase::chosen(second.rows.view(), columns.second, polls), "second",
+             poll};
     if (first.samples.features == clip::Features::points && in_space(first) &&
         columns.left_out.size() + columns.other_left_out.size() > 0) {
         center(first, one.signals);
         center(first, two.signals); // its axes are those of the first
     }
-    phase::Resampled of_one = one.cycles(samples, 0);
+    phase::Resampled of_one = one.cycles(samples);
     const double turn =
         headings_differ(first, second) ? turn_second(of_one, first.samples.up, two) : 0;
-    const phase::Lag lag = lag_of(of_one, two.cycles(samples, 0), poll);
+    const phase::Lag lag = lag_of(of_one, two.cycles(samples), poll);
     const double zero =
         std::isnan(lag.samples) ? 0 : lag.samples / static_cast<double>(samples - 1);
     Comparison result =
-        compared(one, two, std::move(of_one), two.cycles(samples, zero), std::move(columns), false);
+        compared(std::move(of_one), two.cycles(samples, zero), {first.clip.fps, second.clip.fps},
+                 std::move(columns), false, poll);
+    set_clips(one, two, result);
     result.turn = turn;
     result.shift = result.differences.whole;
     const double shift = zero + result.differences.shift;
@@ -329,7 +363,8 @@ Comparison compare(const Phased& first, std::optional<std::int32_t> label, const
                    std::optional<std::int32_t> other_label, std::int64_t samples,
                    const Progress& progress) {
     const Poll poll = poll_of(progress);
-    const PhasedMotion& motion = longest(candidates(first, label, "first"));
+    candidates(first, label, "first"); // throws if there are none
+    const PhasedMotion& motion = *longest_in_cycles(first, label);
     std::optional<Comparison> best;
     for (const PhasedMotion* other : candidates(second, other_label, "second")) {
         poll();
@@ -344,32 +379,32 @@ Comparison compare(const Phased& first, std::optional<std::int32_t> label, const
 Comparison compare_left_right(const clip::Clip& clip, const Phased& phased,
                               std::optional<std::int32_t> label, std::int64_t samples,
                               const clip::PrepareOptions& prepare, const Progress& progress) {
-    const PhasedMotion& motion = longest(candidates(phased, label, "first"));
+    candidates(phased, label, "first"); // throws if there are none
+    const PhasedMotion& motion = *longest_in_cycles(phased, label);
     check_same_clip(clip, phased);
-    const Matrix own = rows_by_frame(phased);
-    const auto start = [progress] { progress.report(Stage::features, 0); };
-    if (const std::string reason =
-            resample(phased, motion.label, own.view(), samples, start).no_halves;
-        !reason.empty())
-        fail(Status::unsupported, "left and right cannot be compared: {}", reason);
+    if (const std::string reason = no_halves(motion); !reason.empty())
+        fail(Status::unsupported, "{}", reason);
     CommonColumns columns = side_columns_of(phased);
+    const auto cycles = [&](const Matrix& rows) {
+        return resample(phased, motion.label, rows.view(), samples, poll_of(progress));
+    };
     const Matrix image = mirror_image(clip, phased, motion.label, samples, prepare, progress);
-    Matrix rows = Matrix::unset(phased.rows.rows(), image.cols());
-    std::copy_n(image.row(phased.clip.first), rows.rows() * rows.cols(), rows.data());
-    const Poll poll = poll_of(progress);
-    const Side left{phased, motion, chosen(phased.rows, columns.first), "first", poll};
-    const Side right{phased, motion, chosen(rows, columns.second), "first", poll};
-    const phase::Turns turns = turns_of(motion, samples);
-    const phase::Turns later = turns_of(motion, samples, 0.5);
-    std::vector<bool> both = complete(turns);
-    const std::vector<bool> of_right = complete(later);
-    for (std::size_t k = 0; k < both.size(); ++k)
-        both[k] = both[k] && of_right[k];
-    const std::string name = name_of(phased, "first");
     Comparison result =
-        compared(left, right, resampled(left.signals, turns, both, name, poll),
-                 resampled(right.signals, later, both, name, poll), std::move(columns), true);
-    result.shift = {none, none, none, none, 0.5, none, none, none, false};
+        compared_sides(cycles(rows_by_frame(phased)), cycles(image), phased.clip.fps,
+                       std::move(columns), name_of(phased, "first"), poll_of(progress));
+    const Side side{phased, motion, {}, "first", {}};
+    set_clips(side, side, result);
+    return result;
+}
+
+Comparison compare_left_right(const phase::Resampled& cycles, std::span<const std::string> names,
+                              double fps, const Progress& progress) {
+    if (!cycles.no_halves.empty())
+        fail(Status::unsupported, "{}", cycles.no_halves);
+    const std::string name = "the signals";
+    Comparison result =
+        compared_sides(cycles, cycles, fps, side_columns_of(names), name, poll_of(progress));
+    warn_of_few(name, result.motions[0].cycles, result);
     return result;
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -56,16 +57,22 @@ double expected_by_chance(const Comparison& of);
 
 /// `label`: of a cyclic motion. Empty: in the first clip the one with the most frames, in the
 /// second the one most like it. Throws Status::no_such_part for a clip without cycles,
-/// Status::argument for a label without cycles, Status::shape if the clips have nothing in common,
-/// and Status::too_few_frames if a clip has no complete cycle.
+/// Status::argument for a label without cycles, and Status::shape if the clips have nothing in
+/// common.
 Comparison compare(const Phased& first, std::optional<std::int32_t> label, const Phased& second,
                    std::optional<std::int32_t> other_label, std::int64_t samples,
                    const Progress& progress);
 
-/// The left side against the right one, mirrored and half a cycle later. Throws Status::unsupported
-/// if the sides cannot be compared.
+/// The left side against the right one, mirrored and half a cycle later: the second half of each
+/// cycle, then its first, so that both sides have all cycles. Throws Status::unsupported if the
+/// sides cannot be compared.
 Comparison compare_left_right(const clip::Clip& clip, const Phased& phased,
                               std::optional<std::int32_t> label, std::int64_t samples,
                               const clip::PrepareOptions& prepare, const Progress& progress);
+
+/// The same of signals whose names differ only in the side, such as knee_l and knee_r. `names`: one
+/// for each column. `fps`: 0 if it is unknown.
+Comparison compare_left_right(const phase::Resampled& cycles, std::span<const std::string> names,
+                              double fps, const Progress& progress);
 
 } // namespace stltsa::results

@@ -4,8 +4,8 @@
 #include <map>
 #include <utility>
 
+#include "base/side_name.hpp"
 #include "clip/body/skeleton.hpp"
-#include "results/sides.hpp"
 
 namespace stltsa::results {
 namespace {
@@ -34,8 +34,9 @@ std::vector<Part> parts_of(const Phased& phased) {
 std::vector<std::string> axes_of(const Phased& phased) {
     std::vector<std::string> axes;
     if (phased.samples.features == clip::Features::euler)
-        for (std::size_t j = phased.body.root + 1; j < phased.body.skeleton.joints.size(); ++j)
-            for (const clip::Channel channel : phased.body.skeleton.joints[j].channels)
+        for (std::size_t j = phased.of->body.root + 1; j < phased.of->body.skeleton.joints.size();
+             ++j)
+            for (const clip::Channel channel : phased.of->body.skeleton.joints[j].channels)
                 if (clip::is_rotation(channel))
                     axes.emplace_back(clip::channel_name(channel));
     if (axes.empty())
@@ -82,6 +83,30 @@ std::string some(const std::vector<Part>& parts) {
     return parts.size() > 3 ? text + ", ..." : text;
 }
 
+/// For each column of the left side the one of the right side whose name differs only in the side.
+/// Columns with the same name, such as the coordinates of a joint, are distinguished by their
+/// order. Throws Status::unsupported if there are none.
+std::map<std::int64_t, std::int64_t> right_columns(std::span<const std::string> names) {
+    std::map<std::string, std::vector<std::int64_t>> places;
+    std::vector<std::size_t> order;
+    for (std::size_t c = 0; c < names.size(); ++c) {
+        order.push_back(places[names[c]].size());
+        places[names[c]].push_back(static_cast<std::int64_t>(c));
+    }
+    std::map<std::int64_t, std::int64_t> right_of;
+    for (std::size_t c = 0; c < names.size(); ++c)
+        for (const OtherSide& other : other_sides(names[c], true)) {
+            const auto found = places.find(other.name);
+            if (other.side == Side::left && found != places.end() &&
+                order[c] < found->second.size())
+                right_of.try_emplace(static_cast<std::int64_t>(c), found->second[order[c]]);
+        }
+    if (right_of.empty())
+        fail(Status::unsupported, "no two names differ only in the side, as LeftFoot and "
+                                  "RightFoot, L_toe and R_toe do");
+    return right_of;
+}
+
 /// By how many places the axes of the second are rotated, so that both have the same up axis.
 std::int64_t axis_turn(const Phased& first, const Phased& second) {
     const auto up = [](const Phased& of) { return static_cast<std::int64_t>(of.samples.up); };
@@ -93,7 +118,8 @@ std::int64_t axis_turn(const Phased& first, const Phased& second) {
 
 bool in_space(const Phased& phased) {
     return phased.samples.features == clip::Features::positions ||
-           (phased.samples.features == clip::Features::points && phased.body.shape.rule.width == 3);
+           (phased.samples.features == clip::Features::points &&
+            phased.of->body.shape.rule.width == 3);
 }
 
 CommonColumns common_columns(const Phased& first, const Phased& second) {
@@ -128,21 +154,24 @@ CommonColumns common_columns(const Phased& first, const Phased& second) {
 
 CommonColumns side_columns_of(const Phased& phased) {
     const auto axes = axes_of(phased);
-    const auto parts = parts_of(phased);
-    std::map<std::int64_t, std::int64_t> right_of; // their first columns
-    for (const SideColumns& pair : side_columns(phased.owners))
-        right_of[static_cast<std::int64_t>(pair.left)] = static_cast<std::int64_t>(pair.right);
+    const auto right_of = right_columns(phased.owners);
     CommonColumns common;
-    for (const Part& part : parts) {
+    for (const Part& part : parts_of(phased)) {
         const auto right = right_of.find(part.begin);
         if (right == right_of.end())
             continue;
         append(part, part, 0, axes, common);
         common.other_names.back() = phased.owners[static_cast<std::size_t>(right->second)];
     }
-    if (common.names.empty())
-        fail(Status::unsupported, "no two names differ only in the side, as LeftFoot and "
-                                  "RightFoot, L_toe and R_toe do");
+    return common;
+}
+
+CommonColumns side_columns_of(std::span<const std::string> names) {
+    const std::vector<std::string> axes(names.size());
+    CommonColumns common;
+    for (const auto& [left, right] : right_columns(names))
+        append({names[static_cast<std::size_t>(left)], left, 1},
+               {names[static_cast<std::size_t>(right)], right, 1}, 0, axes, common);
     return common;
 }
 

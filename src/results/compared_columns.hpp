@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,9 @@ CommonColumns common_columns(const Phased& first, const Phased& second);
 /// Left and right of one clip, whose names differ only in the side: both columns are the left one,
 /// because the second motion is the mirror image. Throws Status::unsupported if there are none.
 CommonColumns side_columns_of(const Phased& phased);
+
+/// The same of signals such as knee_l and knee_r, one name for each column.
+CommonColumns side_columns_of(std::span<const std::string> names);
 
 /// Whether columns are coordinates in space, three for each part.
 bool in_space(const Phased& phased);

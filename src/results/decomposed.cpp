@@ -266,6 +266,27 @@ void warn_of_order(const clip::Clip& clip, clip::Features features, Warnings& wa
         warnings.push_back(*std::move(warning));
 }
 
+std::shared_ptr<const FrameRows> frame_rows(const clip::Clip& clip, const Source& source,
+                                            std::vector<double> side,
+                                            std::vector<std::int64_t> drifting,
+                                            ClipSamples& prepared) {
+    const auto made = std::make_shared<FrameRows>();
+    made->rows = std::move(prepared.rows);
+    made->drifting = std::move(drifting);
+    made->clip = source.clips.front();
+    made->clip.step = 1;
+    made->samples = source.samples;
+    made->body = clip::body_of(clip, source.samples.features, source.samples.up, prepared.turned);
+    made->side = std::move(side);
+    made->owners = clip::column_owners(clip, source.samples.features);
+    const auto row = [&](std::int64_t frame) {
+        return std::clamp<std::int64_t>(frame - made->clip.first, 0, made->rows.rows());
+    };
+    for (const clip::Frames& hole : prepared.holes)
+        made->holes.push_back({row(hole.begin), row(hole.end)});
+    return made;
+}
+
 } // namespace
 
 Parts Decomposed::parts(std::int32_t kind) const {
@@ -287,13 +308,17 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
         fail(Status::argument, "the frame rate of {} is unknown: open it with option fps",
              clip.path.empty() ? "the clip" : clip.path);
     const clip::Clip* single = &clip;
-    ClipSamples prepared = prepare_clips({&single, 1}, prepare, progress);
+    clip::PrepareOptions with_rows = prepare;
+    with_rows.keep_rows = true;
+    ClipSamples prepared = prepare_clips({&single, 1}, with_rows, progress);
     set_messages(prepared, options);
     const SampleFacts& samples = prepared.source.samples;
     const double fps = samples.fps;
     const auto poll = [&] { progress.report(Stage::features, 1); };
-    note_drift(clip, samples.features, clip::remove_drift(prepared.samples, fps, poll),
-               prepared.source.clips.front().notes);
+    std::vector<std::int64_t> drifting = clip::remove_drift(prepared.samples, fps, poll);
+    note_drift(clip, samples.features, drifting, prepared.source.clips.front().notes);
+    if (!drifting.empty())
+        drifting = clip::remove_drift(prepared.rows, clip.fps, poll);
     options.smoothed_s = samples.smoothing;
     options.size = body_size(samples.features, prepared.samples);
     options.holes = holes_of(prepared);
@@ -304,8 +329,10 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
     made.source = std::move(prepared.source);
     made.source.period = {found.curve.period / fps, found.curve.lag_quality,
                           options.shortest_period, options.longest_period};
+    made.rows =
+        frame_rows(clip, made.source, std::move(options.side), std::move(drifting), prepared);
     const SourceFrames frames(made.source);
-    const auto owners = clip::column_owners(clip, made.source.samples.features);
+    const std::vector<std::string>& owners = made.rows->owners;
     for (const recording::Segment& segment : found.segments) {
         made.segments.push_back(segment_of(segment, frames));
         made.carriers.push_back(carriers_of(segment.energy, owners));

@@ -2,10 +2,13 @@
 // A decomposition in frames and seconds of the source file.
 #pragma once
 
+#include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
 #include "base/progress.hpp"
+#include "clip/features/frame_features.hpp"
 #include "recording/analyze.hpp"
 #include "results/samples.hpp"
 #include "results/summary.hpp"
@@ -13,8 +16,28 @@
 
 namespace stltsa::results {
 
+struct Phased;
+
+/// What the phase of every frame is found from.
+struct FrameRows {
+    Matrix rows;         ///< features of every frame from the first one on, not smoothed
+    ClipFacts clip;      ///< every frame is a row
+    SampleFacts samples; ///< kind of the features
+    clip::Body body;     ///< what features of single frames need; it has learned nothing
+    std::vector<std::int64_t> drifting; ///< columns whose slow part was subtracted
+    std::vector<double> side;           ///< see phase::find_phases()
+    std::vector<std::string> owners;    ///< of each column, its joint or point
+    std::vector<clip::Frames> holes;    ///< rows that no motion goes across
+};
+
+/// The phase, once it is found: see phase_of().
+struct PhaseOnce {
+    std::mutex mutex;
+    std::shared_ptr<const Phased> found;
+};
+
 struct Decomposed {
-    recording::Curve curve; ///< in samples
+    recording::Curve curve;                      ///< in samples
     std::int64_t representative = -1, best = -1; ///< see Recording
     std::string reason;
     Warnings warnings;
@@ -31,6 +54,8 @@ struct Decomposed {
     std::vector<stltsa_part> repetitions;
     std::vector<stltsa_travel> cycle_travels, step_travels, repetition_travels;
     std::vector<stltsa_summary> summaries; ///< by label, of labels that repeat
+    std::shared_ptr<const FrameRows> rows;
+    std::shared_ptr<PhaseOnce> phase = std::make_shared<PhaseOnce>();
 
     Parts parts(std::int32_t kind) const; ///< STLTSA_PART_*; none of an unknown kind
 };

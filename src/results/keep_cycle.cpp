@@ -7,21 +7,6 @@
 namespace stltsa::results {
 namespace {
 
-std::int64_t frames_of(const PhasedMotion& motion) {
-    std::int64_t count = 0;
-    for (const phase::Run& run : motion.phases.runs)
-        count += run.rows();
-    return count;
-}
-
-const PhasedMotion* longest(const Phased& phased) {
-    const PhasedMotion* chosen = nullptr;
-    for (const PhasedMotion& motion : phased.motions)
-        if (motion.phases.cyclic && (chosen == nullptr || frames_of(motion) > frames_of(*chosen)))
-            chosen = &motion;
-    return chosen;
-}
-
 std::vector<clip::Frames> frames_in(const PhasedMotion& motion) {
     std::vector<clip::Frames> frames;
     for (const phase::Run& run : motion.phases.runs)
@@ -51,14 +36,14 @@ void warn_if_linear(const phase::Phases& phases, Warnings& warnings) {
         warnings.push_back(
             {WarningCode::linear_phase,
              format_text("the phase is linear in time, because the mean cycle leaves {:.2f} of the "
-                         "variance of the frames, above 0.4: streams are followed less surely",
-                         phases.residual)});
+                         "variance of the frames, above {}: streams are followed less surely",
+                         phases.residual, phase::most_residual)});
 }
 
 } // namespace
 
 void keep_cycle(Fitted& model, const Phased& phased) {
-    const PhasedMotion* motion = longest(phased);
+    const PhasedMotion* motion = longest_in_cycles(phased);
     if (motion == nullptr)
         fail(Status::argument, "the clip has no cycles, so a stream has nothing to be compared "
                                "with");
@@ -68,11 +53,11 @@ void keep_cycle(Fitted& model, const Phased& phased) {
              "the clip has {} features, the model {}: decompose with the same "
              "option features",
              phased.rows.cols(), model.model.features);
-    clip::Body body = phased.body;
-    clip::learn(body, phased.rows.view(), frames_in(*motion), phased.drifting);
+    clip::Body body = phased.of->body;
+    clip::learn(body, phased.rows.view(), frames_in(*motion), phased.of->drifting);
     const Matrix rows = streamed(body, phased.rows);
     model.live.cycle =
-        phase::learn_live(rows.view(), phased.clip.fps, motion->phases, phased.drifting);
+        phase::learn_live(rows.view(), phased.clip.fps, motion->phases, phased.of->drifting);
     model.live.body = std::move(body);
     warn_if_linear(motion->phases, model.model.warnings);
     model.live.label = motion->label;
@@ -92,12 +77,10 @@ void keep_mark(Fitted& model, const Phased& phased, double frame, const std::str
         if (motion.label != model.live.label || !motion.phases.cyclic)
             continue;
         for (const phase::Run& run : motion.phases.runs) {
-            const double place = row - static_cast<double>(run.begin);
-            if (!(place >= 0 && place <= static_cast<double>(run.rows() - 1)))
+            if (!(row >= static_cast<double>(run.begin) &&
+                  row <= static_cast<double>(run.end() - 1)))
                 continue;
-            const auto i = std::min(static_cast<std::size_t>(place), run.phase.size() - 2);
-            const double phase =
-                run.phase[i] + (place - static_cast<double>(i)) * (run.phase[i + 1] - run.phase[i]);
+            const double phase = run.phase_at(row);
             model.live.marks.push_back({name, phase - std::floor(phase)});
             return;
         }

@@ -7,8 +7,6 @@
 #include <map>
 
 #include "base/numbers.hpp"
-#include "clip/features/column_owners.hpp"
-#include "clip/features/drift.hpp"
 
 namespace stltsa::results {
 namespace {
@@ -50,22 +48,6 @@ bool has_like_halves(const Decomposed& decomposed, std::int32_t label) {
     });
 }
 
-/// Continues the runs by a quarter of a cycle.
-void set_reach(const Phased& phased, PhasedMotion& motion, const std::function<void()>& poll) {
-    const phase::MeanCycle& mean = motion.phases.mean;
-    const Matrix both =
-        phase::pose_and_velocity(phased.rows.view(), phased.clip.fps, mean.period, poll);
-    const auto reach = static_cast<std::int64_t>(std::ceil(mean.period / 4));
-    for (const phase::Run& run : motion.phases.runs) {
-        const phase::Range most = unbroken(phased, run);
-        const phase::Range within{std::max(most.begin, run.begin - reach),
-                                  std::min(most.end, run.end() + reach)};
-        motion.reach.push_back(motion.phases.linear
-                                   ? phase::continued(run, mean.period, within)
-                                   : phase::grown(both.view(), mean, run, within, poll));
-    }
-}
-
 /// The repetitions of each label.
 std::map<std::int32_t, std::vector<phase::Borders>> repetitions_of(const Decomposed& decomposed,
                                                                    const ClipFacts& clip) {
@@ -94,7 +76,7 @@ std::vector<phase::Range> moving_rows(const Decomposed& decomposed, const Phased
         else
             ranges.push_back({row(segment.begin), row(segment.end)});
     }
-    for (const phase::Range& hole : phased.holes)
+    for (const clip::Frames& hole : phased.of->holes)
         for (std::size_t i = 0; i < ranges.size(); ++i) {
             phase::Range& range = ranges[i];
             if (hole.begin > range.begin && hole.begin < range.end) {
@@ -134,33 +116,39 @@ void set_frames(const Decomposed& decomposed, const std::function<void()>& poll,
                 phased.cycle[static_cast<std::size_t>(frame)] = static_cast<std::int64_t>(c);
 }
 
-/// The rows of frames of the file.
-phase::Range rows_of(const clip::Frames& frames, const Phased& phased) {
-    const auto row = [&](std::int64_t frame) {
-        return std::clamp<std::int64_t>(frame - phased.clip.first, 0, phased.rows.rows());
-    };
-    return {row(frames.begin), row(frames.end)};
-}
-
 void warn_if_linear(const PhasedMotion& motion, Phased& phased) {
     if (motion.phases.linear)
         phased.warnings.push_back(format_text(
             "the phase of motion {} is linear in time, because its mean cycle leaves {:.2f} of the "
-            "variance of the frames, above 0.4",
-            label_text(motion.label), motion.phases.residual));
+            "variance of the frames, above {}",
+            label_text(motion.label), motion.phases.residual, phase::most_residual));
 }
 
-phase::Turns turns_of_run(const PhasedMotion& motion, std::size_t r, std::int64_t samples,
-                          double zero) {
-    const phase::Run& run = motion.phases.runs[r];
-    const double first = std::round(run.phase.front() - zero) + zero;
-    const std::int64_t count = motion.cycles[r];
-    phase::Turns turns{phase::times_of(motion.reach[r], first, count, samples),
-                       std::vector<phase::Range>(static_cast<std::size_t>(count))};
-    const bool cut_off = std::isnan(turns.rows(0, 0)) || std::isnan(turns.rows(0, samples - 1));
-    if (count == 1 && motion.phases.cyclic && cut_off)
-        return phase::closed_turn(run, zero, samples);
-    return turns;
+std::shared_ptr<const Phased> find_phase(const Decomposed& decomposed, const Progress& progress) {
+    const auto found = std::make_shared<Phased>(decomposed.rows);
+    Phased& phased = *found;
+    const auto poll = [&] { progress.report(Stage::features, 1); };
+    poll();
+    for (auto& [label, sequences] : sequences_of(decomposed, phased.clip)) {
+        PhasedMotion& motion = phased.motions.emplace_back();
+        motion.label = label;
+        motion.like_halves = has_like_halves(decomposed, label);
+        motion.phases = phase::find_phases(phased.rows.view(), phased.clip.fps, sequences,
+                                           phased.of->side, poll);
+        motion.borders = std::move(sequences);
+        warn_if_linear(motion, phased);
+    }
+    for (auto& [label, repetitions] : repetitions_of(decomposed, phased.clip)) {
+        PhasedMotion& motion = phased.motions.emplace_back();
+        motion.label = label;
+        motion.phases = phase::find_phases_of_repetitions(phased.rows.view(), phased.clip.fps,
+                                                          repetitions, poll);
+        motion.borders = std::move(repetitions);
+        warn_if_linear(motion, phased);
+    }
+    phased.moving = moving_rows(decomposed, phased);
+    set_frames(decomposed, poll, phased);
+    return found;
 }
 
 } // namespace
@@ -174,7 +162,7 @@ std::string label_text(std::int32_t label) {
 
 phase::Range unbroken(const Phased& phased, const phase::Run& run) {
     phase::Range range{0, phased.rows.rows()};
-    for (const phase::Range& hole : phased.holes) {
+    for (const clip::Frames& hole : phased.of->holes) {
         if (hole.end <= run.begin)
             range.begin = std::max(range.begin, hole.end);
         else if (hole.begin >= run.end())
@@ -192,16 +180,49 @@ const PhasedMotion& motion_of(const Phased& phased, std::int32_t label) {
     return *motion;
 }
 
-phase::Turns turns_of(const PhasedMotion& motion, std::int64_t samples, double zero) {
+const PhasedMotion* longest_in_cycles(const Phased& phased, std::optional<std::int32_t> label) {
+    const auto frames_of = [](const PhasedMotion& motion) {
+        std::int64_t count = 0;
+        for (const phase::Run& run : motion.phases.runs)
+            count += run.rows();
+        return count;
+    };
+    const PhasedMotion* chosen = nullptr;
+    for (const PhasedMotion& motion : phased.motions)
+        if (motion.phases.cyclic && (!label || motion.label == *label) &&
+            (chosen == nullptr || frames_of(motion) > frames_of(*chosen)))
+            chosen = &motion;
+    return chosen;
+}
+
+std::string no_halves(const PhasedMotion& motion) {
+    if (!motion.phases.cyclic)
+        return format_text("motion {} has repetitions but no cycles", label_text(motion.label));
+    if (motion.like_halves)
+        return "";
+    return format_text(
+        "the second half of a cycle of motion {} may not mirror the first: only the legs of a "
+        "skeleton, or leg points whose names state a side, can show that it does",
+        label_text(motion.label));
+}
+
+phase::Turns turns_of(const Phased& phased, const PhasedMotion& motion, std::int64_t samples,
+                      double shift) {
     std::int64_t count = 0;
-    for (const std::int64_t cycles : motion.cycles)
-        count += cycles;
-    phase::Turns turns{Matrix(count, samples), {}};
+    for (const phase::Borders& borders : motion.borders)
+        count += std::ssize(borders) - 1;
+    phase::Turns turns{Matrix::unset(count, samples), {}};
     double* to = turns.rows.data();
-    for (std::size_t r = 0; r < motion.reach.size(); ++r) {
-        const phase::Turns of_run = turns_of_run(motion, r, samples, zero);
-        to = std::copy_n(of_run.rows.data(), of_run.rows.rows() * samples, to);
-        turns.repeated.insert(turns.repeated.end(), of_run.repeated.begin(), of_run.repeated.end());
+    const std::int64_t rows = phased.rows.rows();
+    for (std::size_t r = 0; r < motion.borders.size(); ++r) {
+        const phase::Borders& borders = motion.borders[r];
+        const Matrix of_run = phase::times_of(motion.phases.runs[r], borders, samples, shift);
+        to = std::copy_n(of_run.data(), of_run.rows() * samples, to);
+        for (std::size_t k = 0; k + 1 < borders.size(); ++k)
+            turns.repeated.push_back(motion.phases.cyclic &&
+                                             borders[k + 1] > static_cast<double>(rows - 1)
+                                         ? phase::Range{static_cast<std::int64_t>(borders[k]), rows}
+                                         : phase::Range{});
     }
     return turns;
 }
@@ -212,73 +233,28 @@ phase::Resampled resample(const Phased& phased, std::int32_t label, ConstMatrixV
     if (signals.rows != phased.clip.frames)
         fail(Status::shape, "signals has {} rows; the clip has {} frames", signals.rows,
              phased.clip.frames);
-    phase::Turns turns = turns_of(motion, samples);
+    phase::Turns turns = turns_of(phased, motion, samples);
     for (std::int64_t i = 0; i < turns.rows.rows() * turns.rows.cols(); ++i)
         turns.rows.data()[i] += static_cast<double>(phased.clip.first);
     for (phase::Range& rows : turns.repeated)
         rows = {rows.begin + phased.clip.first, rows.end + phased.clip.first};
     phase::Resampled made = phase::resample(signals, std::move(turns), poll);
-    if (!motion.phases.cyclic)
-        made.no_halves = format_text("motion {} has repetitions but no cycles", label_text(label));
-    else if (!motion.like_halves)
-        made.no_halves = format_text(
-            "the second half of a cycle of motion {} may not mirror the first: only the legs of a "
-            "skeleton, or leg points whose names state a side, can show that it does",
-            label_text(label));
+    made.no_halves = no_halves(motion);
     return made;
 }
-
-Phased find_phase(const clip::Clip& clip, const Decomposed& decomposed,
-                  clip::PrepareOptions prepare, const Progress& progress) {
-    const SampleFacts& found = decomposed.source.samples;
-    if (decomposed.source.clips.size() != 1 ||
-        decomposed.source.clips.front().frames != clip.frames() ||
-        decomposed.source.clips.front().fps != clip.fps)
-        fail(Status::argument,
-             "the decomposition is not of this clip: it has {} frames, the clip "
-             "{}",
-             decomposed.source.clips.front().frames, clip.frames());
-    prepare.features = found.features;
-    if (found.up != clip::Axis::none)
-        prepare.up = found.up;
-    prepare.rate = 0;
-    prepare.smoothing = 0;
-    const clip::Clip* single = &clip;
-    ClipSamples prepared = prepare_clips({&single, 1}, prepare, progress);
-    Phased phased;
-    const auto poll = [&] { progress.report(Stage::features, 1); };
-    phased.drifting = clip::remove_drift(prepared.samples, clip.fps, poll);
-    phased.clip = prepared.source.clips.front();
-    phased.samples = prepared.source.samples;
-    phased.body = clip::body_of(clip, found.features, phased.samples.up, prepared.turned);
-    phased.side = side_weights_of(clip, found, prepared.samples.view());
-    phased.rows = std::move(prepared.samples);
-    phased.owners = clip::column_owners(clip, found.features);
-    for (const clip::Frames& hole : prepared.holes)
-        phased.holes.push_back(rows_of(hole, phased));
-    for (auto& [label, sequences] : sequences_of(decomposed, phased.clip)) {
-        PhasedMotion& motion = phased.motions.emplace_back();
-        motion.label = label;
-        motion.like_halves = has_like_halves(decomposed, label);
-        motion.phases =
-            phase::find_phases(phased.rows.view(), clip.fps, sequences, phased.side, poll);
-        for (const phase::Borders& borders : sequences)
-            motion.cycles.push_back(static_cast<std::int64_t>(borders.size()) - 1);
-        set_reach(phased, motion, poll);
-        warn_if_linear(motion, phased);
+std::shared_ptr<const Phased> phase_of(const Decomposed& decomposed, const Progress& progress) {
+    PhaseOnce& once = *decomposed.phase;
+    {
+        const std::lock_guard lock(once.mutex);
+        if (once.found)
+            return once.found;
     }
-    for (auto& [label, repetitions] : repetitions_of(decomposed, phased.clip)) {
-        PhasedMotion& motion = phased.motions.emplace_back();
-        motion.label = label;
-        motion.phases =
-            phase::find_phases_of_repetitions(phased.rows.view(), clip.fps, repetitions, poll);
-        motion.cycles.assign(repetitions.size(), 1);
-        set_reach(phased, motion, poll);
-        warn_if_linear(motion, phased);
-    }
-    phased.moving = moving_rows(decomposed, phased);
-    set_frames(decomposed, poll, phased);
-    return phased;
+    // Not under the lock, because callbacks of the progress may call again.
+    auto found = find_phase(decomposed, progress);
+    const std::lock_guard lock(once.mutex);
+    if (!once.found)
+        once.found = std::move(found);
+    return once.found;
 }
 
 } // namespace stltsa::results

@@ -58,6 +58,7 @@ ClipSamples prepare_clip(const clip::Clip& clip, const clip::PrepareOptions& pre
                              clip.fps > 0 ? prepare.smoothing : 0};
     result.lengths = {{prepared.samples.rows()}, runs_of(prepared, clip.frames())};
     result.samples = std::move(prepared.samples);
+    result.rows = std::move(prepared.rows);
     result.jump = prepared.jump;
     result.turned = prepared.turned;
     result.holes = std::move(prepared.holes);

@@ -23,6 +23,7 @@ struct Lengths {
 /// Working samples of clips, one clip after another, and their source.
 struct ClipSamples {
     Matrix samples;
+    Matrix rows; ///< of a single clip: see clip::Prepared
     Lengths lengths;
     Source source;
     std::int64_t jump = 0;           ///< of a single clip: see clip::Prepared

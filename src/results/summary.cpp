@@ -23,11 +23,6 @@ struct Values {
     }
 };
 
-/// Lengths in seconds.
-struct PartLengths : Values {
-    double covered = 0; ///< seconds from the first begin to the last end in each segment
-};
-
 double mean_of(const std::vector<double>& values) {
     double sum = 0;
     for (const double value : values)
@@ -77,13 +72,13 @@ stltsa_statistics statistics_of(const Values& all, bool ratios) {
     return found;
 }
 
-stltsa_summary summary_of(int32_t label, const PartLengths& all) {
+stltsa_summary summary_of(int32_t label, const Values& all) {
     const stltsa_statistics lengths = statistics_of(all, true);
     stltsa_summary summary{};
     summary.label = label;
     summary.count = lengths.count;
     summary.mean_s = lengths.mean;
-    summary.per_minute = minute * static_cast<double>(summary.count) / all.covered;
+    summary.per_minute = minute / lengths.mean;
     summary.sd_s = lengths.sd;
     summary.cv = lengths.cv;
     summary.trend = lengths.trend;
@@ -110,18 +105,11 @@ double quantity_of(const stltsa_part& part, const stltsa_travel& travel, std::in
 std::vector<stltsa_summary> summaries_of(std::span<const stltsa_segment> segments,
                                          std::span<const stltsa_part> cycles,
                                          std::span<const stltsa_part> repetitions) {
-    std::map<int32_t, PartLengths> labels;
-    for (const auto parts : {cycles, repetitions}) {
-        int64_t segment = -1;
-        double until = 0;
-        for (const stltsa_part& part : parts) {
-            PartLengths& of_label = labels[segments[static_cast<std::size_t>(part.segment)].label];
-            of_label.add(part.end_s - part.begin_s, part);
-            of_label.covered += part.end_s - (part.segment == segment ? until : part.begin_s);
-            segment = part.segment;
-            until = part.end_s;
-        }
-    }
+    std::map<int32_t, Values> labels;
+    for (const auto parts : {cycles, repetitions})
+        for (const stltsa_part& part : parts)
+            labels[segments[static_cast<std::size_t>(part.segment)].label].add(
+                part.end_s - part.begin_s, part);
     std::vector<stltsa_summary> summaries;
     for (const auto& [label, lengths] : labels)
         summaries.push_back(summary_of(label, lengths));

@@ -43,7 +43,7 @@ static stltsa_phase* phase_of(const stltsa_clip* clip, const stltsa_options* opt
     stltsa_decomposition* found = NULL;
     stltsa_phase* phase = NULL;
     must(stltsa_decompose(clip, options, &found));
-    must(stltsa_phase_find(clip, found, options, &phase));
+    must(stltsa_phase_find(found, options, &phase));
     stltsa_decomposition_free(found);
     return phase;
 }
@@ -240,7 +240,8 @@ static void curves_are_given(void** state) {
         assert_true(sd[i] > 0 && error[i] > 0 && margin[i] > 1.9 * error[i]);
         raised += i % columns == 2 ? difference[i] / samples : 0;
     }
-    assert_below(fabs(raised - 3), 1e-6, "mean difference");
+    /* The lag is 0 but for rounding, so a sample at a border may be that of the other border. */
+    assert_below(fabs(raised - 3), 1e-3, "mean difference");
     assert_int_equal(stltsa_comparison_curves(of, 2, &to_mean[0], NULL), STLTSA_E_ARGUMENT);
     assert_int_equal(stltsa_comparison_curves(of, 0, &wrong, NULL), STLTSA_E_SHAPE);
     stltsa_compared_part channel = {.size = sizeof channel};

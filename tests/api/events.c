@@ -12,7 +12,7 @@ static stltsa_phase* phase_of(const char* part) {
     stltsa_phase* phase = NULL;
     must(stltsa_clip_open(name, NULL, &clip));
     must(stltsa_decompose(clip, NULL, &found));
-    must(stltsa_phase_find(clip, found, NULL, &phase));
+    must(stltsa_phase_find(found, NULL, &phase));
     stltsa_decomposition_free(found);
     stltsa_clip_free(clip);
     free(name);
@@ -200,7 +200,7 @@ static void other_features_are_refused(void** state) {
     stltsa_phase *phase = phase_of(""), *other = NULL;
     must(stltsa_clip_from_matrix(&in, 30, &clip));
     must(stltsa_decompose(clip, NULL, &found));
-    must(stltsa_phase_find(clip, found, NULL, &other));
+    must(stltsa_phase_find(found, NULL, &other));
     const double mark = 250;
     const stltsa_in marks = packed_in(&mark, 1, 1);
     stltsa_events* events = NULL;

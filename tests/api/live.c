@@ -18,7 +18,7 @@ static walk opened(void) {
     must(stltsa_clip_open(walker_path, NULL, &clip));
     must(stltsa_fit_clip(clip, NULL, &w.model));
     must(stltsa_decompose(clip, NULL, &found));
-    must(stltsa_phase_find(clip, found, NULL, &w.phase));
+    must(stltsa_phase_find(found, NULL, &w.phase));
     w.frames = stltsa_clip_frames(clip);
     must(stltsa_clip_feature_count(clip, NULL, &w.count));
     w.features = new_matrix(w.frames, w.count);

@@ -20,7 +20,7 @@ static taught taught_with(stltsa_clip* clip, const stltsa_options* options) {
     stltsa_phase* phase = NULL;
     must(stltsa_fit_clip(clip, options, &t.model));
     must(stltsa_decompose(clip, options, &found));
-    must(stltsa_phase_find(clip, found, options, &phase));
+    must(stltsa_phase_find(found, options, &phase));
     must(stltsa_model_keep_cycle(t.model, phase));
     t.offline = new_matrix(t.frames, 1);
     const stltsa_out offline = packed_out(t.offline, t.frames, 1);

@@ -125,7 +125,7 @@ static stltsa_comparison* sides_of(const stltsa_clip* clip) {
     stltsa_phase* phase = NULL;
     stltsa_comparison* sides = NULL;
     must(stltsa_decompose(clip, NULL, &found));
-    must(stltsa_phase_find(clip, found, NULL, &phase));
+    must(stltsa_phase_find(found, NULL, &phase));
     must(stltsa_compare_left_right(clip, phase, -1, 51, NULL, &sides));
     stltsa_phase_free(phase);
     stltsa_decomposition_free(found);

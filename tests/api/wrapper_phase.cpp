@@ -14,7 +14,7 @@ std::string walker_path; // set by main()
 void frames_have_phases(void**) {
     const stltsa::Clip clip = stltsa::Clip::open(walker_path);
     const stltsa::Decomposition found = stltsa::decompose(clip);
-    const stltsa::Phase phase = stltsa::find_phase(clip, found);
+    const stltsa::Phase phase = stltsa::find_phase(found);
     const std::vector<double> values = phase.values(), residuals = phase.residuals();
     const std::vector<std::int64_t> cycle = phase.cycles();
     assert_int_equal(values.size(), clip.frames());
@@ -38,6 +38,7 @@ void frames_have_phases(void**) {
     assert_true(cycles.distance()[1] < 0.5);
     const stltsa::Matrix columns = cycles.column_distance();
     assert_int_equal(columns.cols, features.cols);
+    assert_true(phase.zero(0) > 0 && phase.zero(0) < 1);
     const std::vector<std::string> owners = phase.column_owners();
     assert_int_equal(owners.size(), features.cols);
     std::vector<std::int64_t> groups(owners.size(), -1);
@@ -45,26 +46,21 @@ void frames_have_phases(void**) {
     assert_true(owners[3] == owners[5] && owners[3] != owners[6]);
     const stltsa::Matrix joint = cycles.group_distance(groups);
     assert_int_equal(joint.cols, 1);
-    const stltsa::Sides sides = phase.sides(clip, 0, {}, 51);
-    assert_non_null(sides.get());
-    assert_true(sides.reason().empty());
-    assert_int_equal(sides.pairs().size(), sides.count());
-    assert_string_equal(sides.left_name(0).c_str(), "LeftArm");
-    assert_string_equal(sides.right_name(0).c_str(), "RightArm");
-    assert_true(sides.pair(0).rms < 0.1);
-    const double difference = sides.left()(7, 0) - sides.right()(7, 0);
-    assert_true(sides.difference()(7, 0) == difference);
-    const std::vector<std::string> no_names(owners.size());
-    assert_false(cycles.sides(no_names).reason().empty());
+    std::vector<std::string> names(owners.size());
+    names[3] = "knee_l";
+    names[4] = "knee_r";
+    const stltsa::Comparison knees = cycles.compare_left_right(names);
+    assert_string_equal(knees.part_name(1, 0).c_str(), "knee_r");
+    assert_int_equal(knees.channel_count(), 1);
     assert_int_equal(stltsa::side_of_name("LHS"), STLTSA_SIDE_LEFT);
     ASSERT_NEAR(joint(1, 0), std::hypot(columns(1, 3), columns(1, 4), columns(1, 5)), 1e-12);
 }
 
 void motions_are_compared(void**) {
     const stltsa::Clip clip = stltsa::Clip::open(walker_path);
-    const stltsa::Phase phase = stltsa::find_phase(clip, stltsa::decompose(clip));
+    const stltsa::Phase phase = stltsa::find_phase(stltsa::decompose(clip));
     const stltsa::Clip part = clip.stretch("170-600");
-    const stltsa::Phase other = stltsa::find_phase(part, stltsa::decompose(part));
+    const stltsa::Phase other = stltsa::find_phase(stltsa::decompose(part));
     const stltsa::Comparison of = phase.compare(other, 0, -1, 51);
     assert_non_null(of.get());
     const stltsa::ComparedCycles cycles = of.cycles();
@@ -91,7 +87,7 @@ void motions_are_compared(void**) {
 void a_mark_is_found_in_every_cycle(void**) {
     const stltsa::Clip clip = stltsa::Clip::open(walker_path);
     const stltsa::Decomposition found = stltsa::decompose(clip);
-    const stltsa::Phase phase = stltsa::find_phase(clip, found);
+    const stltsa::Phase phase = stltsa::find_phase(found);
     const stltsa::Events events = phase.events({250});
     assert_non_null(events.get());
     const std::vector<stltsa::Event> all = events.all();
@@ -103,7 +99,7 @@ void a_mark_is_found_in_every_cycle(void**) {
     assert_true(events.warnings().empty());
     assert_int_equal(phase.events({250, 316}).warnings().size(), 1);
     const stltsa::Clip part = clip.stretch("170-600");
-    const stltsa::Phase other = stltsa::find_phase(part, stltsa::decompose(part));
+    const stltsa::Phase other = stltsa::find_phase(stltsa::decompose(part));
     assert_true(phase.events({250}, other).likeness() > 0.99);
 }
 
@@ -111,7 +107,7 @@ void a_stream_is_followed(void**) {
     const stltsa::Clip clip = stltsa::Clip::open(walker_path);
     stltsa::Model model = stltsa::fit(clip);
     assert_false(model.has_cycle());
-    const stltsa::Phase phase = stltsa::find_phase(clip, stltsa::decompose(clip));
+    const stltsa::Phase phase = stltsa::find_phase(stltsa::decompose(clip));
     stltsa::keep_cycle(model, phase);
     stltsa::keep_mark(model, phase, 250, "strike");
     stltsa::Live live(model);

@@ -36,7 +36,7 @@ void a_report_is_a_page(void**) {
     const stltsa::Decomposition found = stltsa::decompose(walker());
     found.save_report(walker(), path, "a command");
     check();
-    stltsa::find_phase(walker(), found).compare_left_right(walker()).save_report(path, "a command");
+    stltsa::find_phase(found).compare_left_right(walker()).save_report(path, "a command");
     check();
 }
 

@@ -59,11 +59,9 @@ static void compare(const stltsa_clip* clip, const stltsa_phase* phase, const st
     const stltsa_in marks = given(&mark, 1, 1);
     stltsa_events* events = NULL;
     stltsa_cycles* cycles = NULL;
-    stltsa_sides* sides = NULL;
     stltsa_comparison *with_itself = NULL, *of_sides = NULL;
     MAKES(stltsa_events_find(phase, &marks, NULL, &events), events);
     MAKES(stltsa_cycles_resample(phase, 0, frames, 7, &cycles), cycles);
-    MAKES(stltsa_sides_find(clip, phase, 0, 7, options, &sides), sides);
     MAKES(stltsa_compare(phase, -1, phase, -1, 7, &with_itself), with_itself);
     MAKES(stltsa_compare_left_right(clip, phase, -1, 7, options, &of_sides), of_sides);
     if (with_itself != NULL)
@@ -71,7 +69,6 @@ static void compare(const stltsa_clip* clip, const stltsa_phase* phase, const st
                 "each comparison has a report");
     stltsa_comparison_free(of_sides);
     stltsa_comparison_free(with_itself);
-    stltsa_sides_free(sides);
     stltsa_cycles_free(cycles);
     stltsa_events_free(events);
 }
@@ -85,7 +82,7 @@ static cycles find_cycles(const stltsa_clip* clip, const stltsa_options* options
     cycles made = {NULL, NULL};
     MAKES(stltsa_decompose(clip, options, &made.found), made.found);
     if (made.found != NULL)
-        MAKES(stltsa_phase_find(clip, made.found, options, &made.phase), made.phase);
+        MAKES(stltsa_phase_find(made.found, options, &made.phase), made.phase);
     return made;
 }
 

@@ -74,7 +74,7 @@ static inline void use_clip(const stltsa_clip* clip) {
     stltsa_clip* image = NULL;
     MAKES(stltsa_decompose(clip, NULL, &found), found);
     if (found != NULL)
-        MAKES(stltsa_phase_find(clip, found, NULL, &phase), phase);
+        MAKES(stltsa_phase_find(found, NULL, &phase), phase);
     MAKES(stltsa_clip_mirror(clip, NULL, &image), image);
     stltsa_clip_free(image);
     stltsa_phase_free(phase);

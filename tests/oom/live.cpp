@@ -23,7 +23,7 @@ struct Stream {
     explicit Stream(stltsa_clip* of) : clip(of) {
         frame.size = sizeof frame;
         stltsa_decompose(clip, nullptr, &found);
-        stltsa_phase_find(clip, found, nullptr, &phase);
+        stltsa_phase_find(found, nullptr, &phase);
         stltsa_fit_clip(clip, nullptr, &model);
         if (stltsa_model_keep_cycle(model, phase) == STLTSA_OK)
             stltsa_live_new(model, &live);

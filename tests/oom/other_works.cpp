@@ -59,7 +59,7 @@ struct Kept {
                           stltsa_clip_from_skeleton(joints, 3, STLTSA_ROTATIONS_CHANNELS, &angles,
                                                     nullptr, 30, &body) == STLTSA_OK &&
                           stltsa_decompose(matrix, nullptr, &parts) == STLTSA_OK &&
-                          stltsa_phase_find(matrix, parts, nullptr, &phase) == STLTSA_OK &&
+                          stltsa_phase_find(parts, nullptr, &phase) == STLTSA_OK &&
                           stltsa_fit_clip(matrix, nullptr, &model) == STLTSA_OK;
         if (!made)
             std::abort();
@@ -256,8 +256,7 @@ stltsa_status phases(const std::string&) {
     const std::int64_t groups[] = {0, 1, 0, 1, 0, 1, 0, 1};
     const stltsa_in signals = in(waves(), frames, 8), marks = in(&mark, 1, 1),
                     borders = in(at, 4, 1), of_columns = in(groups, 8, 1, STLTSA_I64);
-    calls.make([&] { return stltsa_phase_find(kept().matrix, kept().parts, nullptr, &phase); },
-               phase);
+    calls.make([&] { return stltsa_phase_find(kept().parts, nullptr, &phase); }, phase);
     calls.make([&] { return stltsa_cycles_resample(phase, 0, &signals, 20, &cycles); }, cycles);
     calls.make([&] { return stltsa_cycles_between(&borders, &signals, 20, &between); }, between);
     calls.make([&] { return stltsa_events_find(phase, &marks, phase, &events); }, events);
@@ -280,6 +279,8 @@ stltsa_status phases(const std::string&) {
         stltsa_events_likeness(events);
         stltsa_events_warning(events, 0);
         stltsa_phase_warning(phase, 0);
+        double zero = 0;
+        calls.make([&] { return stltsa_phase_zero(phase, 0, &zero); });
         stltsa_phase_column_owner(phase, 0);
         if (stltsa_events_count(events) + stltsa_events_warning_count(events) +
                 stltsa_phase_warning_count(phase) + stltsa_phase_column_count(phase) <
@@ -296,32 +297,18 @@ stltsa_status phases(const std::string&) {
 stltsa_status sides(const std::string&) {
     Calls calls;
     stltsa_cycles* cycles = nullptr;
-    stltsa_sides *of_features = nullptr, *of_signals = nullptr;
+    stltsa_comparison* comparison = nullptr;
     const double at[] = {3, 33, 63, 93};
     const char* names[] = {"hip_l",  "hip_r",  "knee_l",     "knee_r",
                            "foot_l", "foot_r", "shoulder_l", "shoulder_r"};
     const stltsa_in signals = in(waves(), frames, 8), borders = in(at, 4, 1);
-    calls.make(
-        [&] {
-            return stltsa_sides_find(kept().matrix, kept().phase, 0, 20, nullptr, &of_features);
-        },
-        of_features);
     calls.make([&] { return stltsa_cycles_between(&borders, &signals, 20, &cycles); }, cycles);
-    calls.make([&] { return stltsa_sides_compare(cycles, names, &of_signals); }, of_signals);
-    if (calls.good()) {
-        stltsa_side_pair pair{};
-        pair.size = sizeof pair;
-        const std::int64_t pairs = stltsa_sides_count(of_signals);
-        const stltsa_out left = out(20, pairs);
-        calls.make([&] { return stltsa_sides_pair(of_signals, 0, &pair); });
-        calls.make([&] { return stltsa_sides_curves(of_signals, &left, nullptr, nullptr); });
-        if (pairs != 4 || *stltsa_sides_left_name(of_signals, 0) != 'h' ||
-            *stltsa_sides_right_name(of_signals, 0) != 'h' ||
-            stltsa_sides_reason(of_features) == nullptr)
-            calls.make([] { return 1; });
-    }
-    stltsa_sides_free(of_signals);
-    stltsa_sides_free(of_features);
+    calls.make(
+        [&] { return stltsa_cycles_compare_left_right(cycles, names, 0, nullptr, &comparison); },
+        comparison);
+    if (calls.good() && stltsa_comparison_part_count(comparison) != 4)
+        calls.make([] { return 1; });
+    stltsa_comparison_free(comparison);
     stltsa_cycles_free(cycles);
     return calls.status();
 }

@@ -151,7 +151,7 @@ struct Shared {
                           stltsa_clip_from_skeleton(joints, 2, STLTSA_ROTATIONS_CHANNELS, &x,
                                                     nullptr, 30, &body) == STLTSA_OK &&
                           stltsa_decompose(clip, nullptr, &parts) == STLTSA_OK &&
-                          stltsa_phase_find(clip, parts, nullptr, &phase) == STLTSA_OK &&
+                          stltsa_phase_find(parts, nullptr, &phase) == STLTSA_OK &&
                           stltsa_fit_clip(clip, nullptr, &model) == STLTSA_OK &&
                           stltsa_model_keep_cycle(model, phase) == STLTSA_OK;
         if (!made) {
@@ -233,8 +233,7 @@ std::vector<double> phases(const Shared& shared) {
     const stltsa_out first = {values.data(), frames, 1, 0, 0, STLTSA_F64, 0};
     const stltsa_out second = {values.data() + frames, frames, 1, 0, 0, STLTSA_F64, 0};
     stltsa_phase* again = nullptr;
-    expect(stltsa_phase_find(shared.clip, shared.parts, shared.options, &again) == STLTSA_OK,
-           "phase");
+    expect(stltsa_phase_find(shared.parts, shared.options, &again) == STLTSA_OK, "phase");
     expect(stltsa_phase_values(again, &first, nullptr, nullptr) == STLTSA_OK &&
                stltsa_phase_values(shared.phase, &second, nullptr, nullptr) == STLTSA_OK,
            "values of the phase");

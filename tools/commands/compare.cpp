@@ -19,7 +19,7 @@ stltsa::Phase phase_of(const Session& session, const std::string& path, const st
         throw Failure(Exit::untrustworthy,
                       fmt::format("{}: there are no cycles to compare{}{}", path,
                                   found.reason().empty() ? "" : ": ", found.reason()));
-    return stltsa::find_phase(clip, found, session.options());
+    return stltsa::find_phase(found, session.options());
 }
 
 /// The result of a comparison, which clips of other motions or names do not permit.

@@ -50,7 +50,6 @@ stltsa::Matrix phase_table(const stltsa::Clip& clip, const stltsa::Decomposition
 struct PhaseAnswer {
     std::vector<std::string> warnings;
     std::vector<LabelSides> sides;
-    bool axes = false; ///< see sides_json()
 };
 
 /// Compares left with right for each motion that has cycles.
@@ -64,9 +63,11 @@ std::vector<LabelSides> compare_sides(const Session& session, const stltsa::Clip
         LabelSides& of = all.emplace_back();
         of.label = summary.label;
         try {
-            of.sides = phase.sides(clip, summary.label, session.options());
+            of.comparison = phase.compare_left_right(clip, summary.label, session.options());
         } catch (const stltsa::Error& error) {
-            if (error.status() != STLTSA_E_ARGUMENT) // cycles too short for a phase
+            if (error.status() != STLTSA_E_UNSUPPORTED &&
+                error.status() != STLTSA_E_TOO_FEW_FRAMES &&
+                error.status() != STLTSA_E_ARGUMENT) // cycles too short for a phase
                 throw;
             of.reason = error.what();
         }
@@ -76,17 +77,15 @@ std::vector<LabelSides> compare_sides(const Session& session, const stltsa::Clip
 
 /// Writes the phase.
 PhaseAnswer add_phase(Session& session, const stltsa::Decomposition& found) {
-    const stltsa::Phase phase = stltsa::find_phase(session.clip(), found, session.options());
+    const stltsa::Phase phase = stltsa::find_phase(found, session.options());
     session.add_columns(session.arguments().phase, phase_table(session.clip(), found, phase),
                         {"frame", "seconds", "segment", "cycle", "phase", "residual"});
-    const std::int64_t features = found.info().integer(STLTSA_INFO_FEATURES);
-    return {phase.warnings(), compare_sides(session, session.clip(), found, phase),
-            features == STLTSA_FEATURES_POSITIONS || features == STLTSA_FEATURES_POINTS};
+    return {phase.warnings(), compare_sides(session, session.clip(), found, phase)};
 }
 
 std::string json_with_phase(const std::string& text, const PhaseAnswer& answer) {
     return with_member(with_member(text, "phase_warnings", answer.warnings), "sides",
-                       sides_json(answer.sides, answer.axes));
+                       sides_json(answer.sides));
 }
 
 } // namespace
@@ -110,8 +109,7 @@ Exit run_decompose(const Arguments& arguments) {
         return arguments.phase.empty() ? text : json_with_phase(text, of_phase);
     };
     const auto table = [&] {
-        return decomposition_report(found, session.title()) +
-               sides_report(of_phase.sides, of_phase.axes);
+        return decomposition_report(found, session.title()) + sides_report(of_phase.sides);
     };
     session.finish({json, table, warnings, [&] { return decomposition_csv(found); }});
     return Exit::done;

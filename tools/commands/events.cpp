@@ -32,7 +32,7 @@ struct Analyzed {
 
 Analyzed analyzed(const Session& session, const std::string& path, const stltsa::Clip& clip) {
     stltsa::Decomposition found = stltsa::decompose(clip, session.options());
-    stltsa::Phase phase = stltsa::find_phase(clip, found, session.options());
+    stltsa::Phase phase = stltsa::find_phase(found, session.options());
     return {path, std::move(found), std::move(phase)};
 }
 

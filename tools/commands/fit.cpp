@@ -57,7 +57,7 @@ std::vector<std::string> keep_cycle(const Arguments& arguments, const Session& s
                                       arguments.marks.front(), found.reason()));
         return {};
     }
-    const stltsa::Phase phase = stltsa::find_phase(clip, found, options);
+    const stltsa::Phase phase = stltsa::find_phase(found, options);
     if (const auto reason = unfit_cycle(model, phase)) {
         if (!marks.empty())
             throw Failure(Exit::untrustworthy,

@@ -14,12 +14,11 @@ namespace tool {
 
 struct LabelSides {
     std::int32_t label = 0;
-    std::optional<stltsa::Sides> sides; ///< empty: see `reason`
+    std::optional<stltsa::Comparison> comparison; ///< empty: see `reason`
     std::string reason;
 };
 
-/// `axes`: whether the columns of a joint are its coordinates along x, y and z.
-Json sides_json(const std::vector<LabelSides>& all, bool axes);
-std::string sides_report(const std::vector<LabelSides>& all, bool axes);
+Json sides_json(const std::vector<LabelSides>& all);
+std::string sides_report(const std::vector<LabelSides>& all);
 
 } // namespace tool

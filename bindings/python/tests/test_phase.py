@@ -27,12 +27,16 @@ def test_frames_of_cycles_have_phases(result, phase):
 
 
 def test_the_same_place_in_both_feet_of_another_walk(clip, phase):
-    """A stretch that begins half a cycle later has the same phases."""
+    """A stretch that begins half a cycle later has the same phases, counted from their zeros."""
     other = stltsa.decompose(clip.stretch("100-")).phase()
     both = ~np.isnan(phase.values[100:]) & ~np.isnan(other.values)
-    off = (phase.values[100:][both] - other.values[both] + 0.5) % 1 - 0.5
+    off = phase.values[100:][both] - phase.zero() - other.values[both] + other.zero()
+    off = (off + 0.5) % 1 - 0.5
     assert both.sum() > 100
     assert abs(off).max() < 0.02
+    assert 0 <= phase.zero("A") < 1
+    with pytest.raises(stltsa.ArgumentError, match="neither cycles"):
+        phase.zero("Z")
 
 
 def test_signals_are_resampled(result, phase):
@@ -286,31 +290,20 @@ def test_marks_are_found_on_the_other_side(clip, result):
     assert np.asarray(turns) % 1 == pytest.approx(0.5, abs=0.03)
 
 
-def test_sides_of_a_symmetric_walk_differ_by_nothing(result):
-    sides = result.sides()
-    assert len(sides) > 20
-    assert sides.reason == ""
-    assert sides.left.shape == sides.right.shape == (101, len(sides))
-    np.testing.assert_array_equal(sides.difference, sides.left - sides.right)
-    assert max(pair.rms for pair in sides) < 0.1
-    assert len(sides.to_frame()) == len(sides)
-    foot = next(pair for pair in sides if pair.left == "LeftFoot" and pair.left_range > 50)
-    assert foot.right == "RightFoot"
-    assert abs(foot.shift) < 0.002
-    with pytest.raises(stltsa.ArgumentError):
-        result.sides("Z")
-
-
 def test_sides_of_signals_have_known_differences():
     turn = 2 * np.pi * np.arange(201) / 100
     knees = np.stack([np.sin(turn), 0.8 * np.sin(turn - 1.1 * np.pi) + 0.1], axis=1)
     cycles = stltsa.cycles_between([0, 100, 200], knees)
-    (pair,) = cycles.sides(["knee_l", "knee_r"])
-    assert pair.shift == pytest.approx(0.05, abs=1e-3)
-    assert pair.mean == pytest.approx(-0.1)
-    assert pair.range_difference == pytest.approx(0.4, abs=1e-2)
-    none = cycles.sides(["knee_l", "hip_r"])
-    assert len(none) == 0
-    assert "differ only in the side" in none.reason
+    compared = cycles.compare_left_right(["knee_l", "knee_r"], fps=50)
+    (pair,) = compared.parts
+    assert (pair.name, pair.second_name) == ("knee_l", "knee_r")
+    assert pair.lag.difference == pytest.approx(0.05, abs=1e-3)
+    assert pair.mean.difference == pytest.approx(0.1)
+    assert pair.ratio[0] == pytest.approx(0.8, abs=1e-2)
+    assert compared.counts == (2, 2)
+    assert compared.cycle_time.first == pytest.approx(2)
+    assert np.isnan(cycles.compare_left_right(["knee_l", "knee_r"]).cycle_time.first)
+    with pytest.raises(stltsa.UnsupportedError, match="differ only in the side"):
+        cycles.compare_left_right(["knee_l", "hip_r"])
     with pytest.raises(ValueError, match="names has 1"):
-        cycles.sides(["knee_l"])
+        cycles.compare_left_right(["knee_l"])

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/numbers.hpp"
 #include "capi/json/parts.hpp"
 
 namespace stltsa::capi {
@@ -39,8 +40,9 @@ Json motion_json(const Comparison& of, std::size_t which) {
     const ComparedMotion& motion = of.motions[which];
     const double time = which == 0 ? of.cycle_time.first : of.cycle_time.second;
     return JsonObject("path", json_string_or_null(motion.clip.path), "frames", motion.clip.frames,
-                      "fps", motion.clip.fps, "label", label_text(motion.label), "cycles",
-                      motion.cycles, "cycles_per_min", 60 / time, "left_out",
+                      "fps", motion.clip.fps > 0 ? motion.clip.fps : none, "label",
+                      label_text(motion.label), "cycles", motion.cycles, "cycles_per_min",
+                      60 / time, "left_out",
                       which == 0 ? of.columns.left_out : of.columns.other_left_out);
 }
 

@@ -122,13 +122,14 @@ ltsa::DimensionOptions OptionsReader::dimension_options() const {
 }
 
 recording::Options OptionsReader::decompose_options() const {
-    for (const std::int32_t key : {STLTSA_OPT_NEIGHBORS, STLTSA_OPT_WINDOW, STLTSA_OPT_DIMENSION,
-                                   STLTSA_OPT_MODE})
+    for (const std::int32_t key :
+         {STLTSA_OPT_NEIGHBORS, STLTSA_OPT_WINDOW, STLTSA_OPT_DIMENSION, STLTSA_OPT_MODE})
         if (is_set(options_, key))
-            fail(Status::argument,
-                 "option {} belongs to fit: decompose embeds each segment with cycles at 24 samples "
-                 "a cycle, with parameters of its own",
-                 option_row(key).name);
+            fail(
+                Status::argument,
+                "option {} belongs to fit: decompose embeds each segment with cycles at 24 samples "
+                "a cycle, with parameters of its own",
+                option_row(key).name);
     recording::Options options;
     options.segments = integer_if_set(STLTSA_OPT_SEGMENTS);
     const results::PeriodRange range = results::range_of(period_search(), 1, 0); // in seconds

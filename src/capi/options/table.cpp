@@ -47,8 +47,7 @@ constexpr stltsa_option_info rows[] = {
           "Frames on each side in which neighbors may lie (w); auto: as neighbors.", 1, most_frames,
           automatic),
     whole(STLTSA_OPT_DIMENSION, embeds, "dimension",
-          "Tangent dimension, the number of coordinates (d); auto: 2.",
-          1, 1000, automatic),
+          "Tangent dimension, the number of coordinates (d); auto: 2.", 1, 1000, automatic),
     whole(STLTSA_OPT_MODE, embeds, "mode",
           "Candidates for neighbors: temporal, frames of the clip within the window; spatial, all "
           "frames; recurrent, frames within the window and, as links, frames outside the exclusion "

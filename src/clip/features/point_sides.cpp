@@ -63,10 +63,10 @@ Line lateral(const std::vector<Pair>& pairs, const std::vector<double>& mean, st
     return d.a * line.a + d.b * line.b < 0 ? Line{-line.a, -line.b} : line;
 }
 
-/// The line across the direction in which the points of the pairs swing against each other, if it is
-/// near the line along which they lie apart: of a body that moves forward. It is the better one of
-/// the two, because lateral motion is the same for both sides of a step: at a degree of difference,
-/// equal steps of 0.55 s seem to last 0.547 and 0.553 s.
+/// The line across the direction in which the points of the pairs swing against each other, if it
+/// is near the line along which they lie apart: of a body that moves forward. It is the better one
+/// of the two, because lateral motion is the same for both sides of a step: at a degree of
+/// difference, equal steps of 0.55 s seem to last 0.547 and 0.553 s.
 Line across_swing(const std::vector<Pair>& pairs, ConstMatrixView samples, std::size_t first,
                   std::size_t second, const Line& apart) {
     constexpr double near = 0.87; // cosine of 30 degrees
@@ -111,8 +111,8 @@ std::vector<double> point_side_weights(const Clip& clip, Axis up, ConstMatrixVie
     });
     if (legs.empty())
         return {};
-    const Line line = across_swing(legs, samples, first, second,
-                                   lateral(pairs, mean, first, second));
+    const Line line =
+        across_swing(legs, samples, first, second, lateral(pairs, mean, first, second));
     std::vector<double> weights(mean.size());
     const auto set = [&](std::size_t point, double weight) {
         weights[3 * point + first] = -line.b * weight;

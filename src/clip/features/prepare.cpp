@@ -70,16 +70,24 @@ Prepared prepare(const Clip& clip, const PrepareOptions& options) {
             std::clamp(std::round(clip.fps / options.rate), 1.0, static_cast<double>(all.rows())));
     prepared.fps = clip.fps / static_cast<double>(prepared.step);
     double sigma = options.smoothing * clip.fps;
+    Matrix between_breaks;
+    ConstMatrixView from = kept;
     if (!clip.breaks.empty() && sigma > 0) {
-        all = smoothed_rows(clip, kept, prepared.first, std::exchange(sigma, 0), options.poll);
-        kept = all.view();
+        between_breaks =
+            smoothed_rows(clip, kept, prepared.first, std::exchange(sigma, 0), options.poll);
+        from = between_breaks.view();
     }
-    if (prepared.step > 1) {
+    const bool is_copy = prepared.step > 1 || options.keep_rows || from.data != kept.data;
+    if (is_copy)
         prepared.samples =
-            gaussian_smoothed(kept, sigma, Beyond::reflection, prepared.step, options.poll);
+            gaussian_smoothed(from, sigma, Beyond::reflection, prepared.step, options.poll);
+    Matrix rows = prepared.first == 0 ? std::move(all) : copied(kept);
+    if (is_copy) {
+        if (options.keep_rows)
+            prepared.rows = std::move(rows);
         return prepared;
     }
-    prepared.samples = kept.rows == all.rows() ? std::move(all) : copied(kept);
+    prepared.samples = std::move(rows);
     if (sigma > 0)
         smooth_in_place(prepared.samples, sigma, Beyond::reflection, options.poll);
     return prepared;

@@ -20,13 +20,15 @@ struct PrepareOptions {
     double smoothing = 0.05;          ///< sigma of the Gaussian on the features in seconds; 0: none
     bool drop_tpose = true;           ///< only if there is a skeleton
     GapRule gaps = GapRule::fill;
+    bool keep_rows = false;          ///< see Prepared
     std::function<void()> poll = {}; ///< called periodically; may throw to stop
 };
 
 /// Working samples of a clip: sample i is source frame first + i * step.
 struct Prepared {
     Matrix samples;
-    double fps = 0;         ///< of the samples
+    Matrix rows;    ///< if wanted, of every source frame from the first one on, not smoothed
+    double fps = 0; ///< of the samples
     std::int64_t first = 0; ///< number of T-pose frames dropped at the start
     std::int64_t step = 1;
     std::int64_t jump = 0;             ///< source frame before which the pose jumps; 0: it does not

@@ -42,7 +42,7 @@ function makeHead() {
   byId("title").textContent = title;
   document.title = title + " – comparison";
   byId("lead").textContent = leadText();
-  byId("facts").textContent = !found.judged ? "With one complete cycle on a side, no difference can be called significant." : `${found.significant} of ${found.judged} differences in timing and amplitude are significant; about ${number(found.expected_by_chance, 2)} would be so by chance alone.`;
+  byId("facts").textContent = !found.judged ? "With one cycle on a side, no difference can be called significant." : `${found.significant} of ${found.judged} differences in timing and amplitude are significant; about ${number(found.expected_by_chance, 2)} would be so by chance alone.`;
 }
 
 // Where a curve is at a phase in [0, 1).
@@ -231,7 +231,7 @@ function makeCurves() {
   listeners.push(level => { if (level > 2) panel.title(partName(found.parts[state.part]), "0 to 100 % of the cycle"); });
   const unit = { positions: "Positions are relative to the body, in the unit of the file, with the heading removed. ", points: "Positions are relative to the body, in the unit of the file. ", euler: "Angles in radians. " }[found.features] || "";
   const spreads = found.parts.some(part => part.channels.some(channel => withNaN(channel.difference.margin).some(value => !Number.isNaN(value))));
-  byId("curves-hint").textContent = `${spreads ? "Thick: mean cycles; shaded: one standard deviation. Below: the difference, with its 95 % interval at each single phase: of 100 phases without a difference, five lie outside it by chance." : "Thick: mean cycles; shaded: one standard deviation, if there is more than one cycle. Below: the difference; its interval is unknown, because a motion has only one complete cycle."} ${unit}${data.parents ? "Click a curve to see its posture." : "Click a curve to go to this phase."}`;
+  byId("curves-hint").textContent = `${spreads ? "Thick: mean cycles; shaded: one standard deviation. Below: the difference, with its 95 % interval at each single phase: of 100 phases without a difference, five lie outside it by chance." : "Thick: mean cycles; shaded: one standard deviation, if there is more than one cycle. Below: the difference; its interval is unknown, because a motion has only one cycle."} ${unit}${data.parents ? "Click a curve to see its posture." : "Click a curve to go to this phase."}`;
 }
 
 function makeNumbers() {
@@ -239,7 +239,7 @@ function makeNumbers() {
   const rows = sided() ? [["Cycles compared", String(first.cycles)], ["Cycles a minute", number(first.cycles_per_min)], ["Cycle time, s", withSd(time.first, time.first_sd)]]
     : [["Cycles compared", String(first.cycles), String(second.cycles), ""], ["Cycles a minute", number(first.cycles_per_min), number(second.cycles_per_min), signed(number(second.cycles_per_min - first.cycles_per_min))],
       ["Cycle time, s", withSd(time.first, time.first_sd), withSd(time.second, time.second_sd), `${signed(number(time.difference))}${star(time)}`], ...(isKnown(time.low) ? [["", "", "", `95 %: ${between(time.low, time.high, value => signed(number(value)))}`]] : [])];
-  byId("numbers").append(element("p", { class: "hint" }, `Mean ± standard deviation over the complete cycles, from phase 0 to the next phase 0. The report of a single clip measures all cycles, from border to border.${sided() ? "" : " *: the 95 % interval does not include 0."}`), scrolled(table("", sided() ? ["", "both"] : ["", "first", "second", "difference"], rows), "Numbers"));
+  byId("numbers").append(element("p", { class: "hint" }, `Mean ± standard deviation over the cycles.${sided() ? "" : " *: the 95 % interval does not include 0."}`), scrolled(table("", sided() ? ["", "both"] : ["", "first", "second", "difference"], rows), "Numbers"));
 }
 function makeWarnings() {
   const list = [...found.warnings];

@@ -157,15 +157,6 @@ static const function functions[] = {
     (function)stltsa_phase_warning_count,
     (function)stltsa_segment_name,
     (function)stltsa_side_of_name,
-    (function)stltsa_sides_compare,
-    (function)stltsa_sides_count,
-    (function)stltsa_sides_curves,
-    (function)stltsa_sides_find,
-    (function)stltsa_sides_free,
-    (function)stltsa_sides_left_name,
-    (function)stltsa_sides_pair,
-    (function)stltsa_sides_reason,
-    (function)stltsa_sides_right_name,
     (function)stltsa_status_name,
     (function)stltsa_synthesis_clip,
     (function)stltsa_synthesis_free,
@@ -248,7 +239,7 @@ static void cut(const char* path) {
     CHECK(segment.begin == 0 && segment.end <= frames && segment.confidence <= 1);
     MUST(stltsa_decomposition_json(decomposition, &json));
     CHECK(strstr(json, "\"format\":\"stltsa-decomposition/2\"") != NULL);
-    MUST(stltsa_phase_find(clip, decomposition, NULL, &phase));
+    MUST(stltsa_phase_find(decomposition, NULL, &phase));
 
     stltsa_free(json);
     stltsa_phase_free(phase);

@@ -112,7 +112,7 @@ static void compare(const char* path) {
     MUST(stltsa_options_set_progress(options, count_writes, &write_calls));
     MUST(stltsa_clip_open(path, options, &clip));
     MUST(stltsa_decompose(clip, options, &decomposition));
-    MUST(stltsa_phase_find(clip, decomposition, options, &phase));
+    MUST(stltsa_phase_find(decomposition, options, &phase));
     MUST(stltsa_compare_with(phase, -1, phase, -1, SAMPLES, options, &comparison));
     read_comparison(comparison);
     stltsa_comparison_free(comparison);

@@ -1114,8 +1114,7 @@ typedef struct stltsa_phase stltsa_phase;
  * says, without further smoothing. If a mean cycle explains less than 0.6 of the variance of the
  * features, the phase of its motion is linear in time, and a warning says so. Options: as
  * stltsa_decompose, with the values it had. E_ARGUMENT: the decomposition is of another clip. */
-STLTSA_API stltsa_status stltsa_phase_find(const stltsa_clip *clip,
-                                           const stltsa_decomposition *decomposition,
+STLTSA_API stltsa_status stltsa_phase_find(const stltsa_decomposition *decomposition,
                                            const stltsa_options *options,
                                            stltsa_phase **phase) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_phase_free(stltsa_phase *phase) STLTSA_NOEXCEPT;
@@ -1211,79 +1210,6 @@ enum {
  * for "left heel strike", "LHS", "LeftFoot" and "toe_l"; none if the name is NULL or states neither
  * side or both. */
 STLTSA_API int32_t stltsa_side_of_name(const char *name) STLTSA_NOEXCEPT;
-
-/* A comparison of the left side of the body with the right side half a cycle later. It requires
- * that the two halves of a cycle are the same motion of opposite sides, as in walking. */
-typedef struct stltsa_sides stltsa_sides;
-
-/* Append-only: set size to sizeof(stltsa_side_pair). All fields but left and right are NaN if the
- * mean cycle lacks a sample. rms, chance, mean and the ranges are in the unit of the signals. */
-typedef struct stltsa_side_pair {
-    size_t size;
-    int64_t left, right;             /* columns of the signals */
-    double rms;                      /* root mean square of left minus right over the cycle */
-    double chance;                   /* rms expected from the spread between cycles alone, if both
-                                        sides were the same; NaN for a single cycle */
-    double mean;                     /* mean of left minus mean of right */
-    double left_range, right_range;  /* highest minus lowest value */
-    double shift;                    /* delay of right beyond half a cycle after left, as a share of
-                                        the cycle, -0.25 to 0.25; NaN if the curves are not alike
-                                        (correlation below 0.7), or if one does not move */
-    double correlation;              /* of the curves after the shift is removed, -1 to 1; NaN if
-                                        one does not move */
-} stltsa_side_pair;
-
-/* Compares the features of one motion, such as positions of joints or points, in the unit of the
- * file and relative to the body. The left side is compared with the mirror image of the right side
- * (stltsa_clip_mirror), so every coordinate of a symmetric walk differs by 0.
- *
- * clip      the clip that the phase was found in
- * label     label of the segments, 0 for A
- * samples   samples per cycle, 2 to 1000000; 101 gives one per percent
- * options   the options that were given to stltsa_phase_find
- * sides     to be freed with stltsa_sides_free; NULL on failure
- *
- * If the sides cannot be compared, the call succeeds without pairs: see stltsa_sides_reason.
- * E_ARGUMENT: the label has neither cycles nor repetitions, samples is out of range, or the phase
- * belongs to another clip. */
-STLTSA_API stltsa_status stltsa_sides_find(const stltsa_clip *clip, const stltsa_phase *phase,
-                                           int32_t label, int64_t samples,
-                                           const stltsa_options *options,
-                                           stltsa_sides **sides) STLTSA_NOEXCEPT;
-
-/* Compares any signals, such as joint angles, EMG or forces, over cycles that were found, or that
- * begin with an event of the left side (stltsa_cycles_between).
- *
- * names     one name for each column; knee_l and knee_r are a pair, as are LeftKnee and RightKnee.
- *           Both signals of a pair must have the same sign convention, as flexion has.
- * sides     to be freed with stltsa_sides_free; NULL on failure
- *
- * E_ARGUMENT: a name is NULL. */
-STLTSA_API stltsa_status stltsa_sides_compare(const stltsa_cycles *cycles, const char *const *names,
-                                              stltsa_sides **sides) STLTSA_NOEXCEPT;
-STLTSA_API void stltsa_sides_free(stltsa_sides *sides) STLTSA_NOEXCEPT;
-
-/* Number of pairs of a left and a right column, and each pair, in the order of the left columns.
- * E_ARGUMENT: index is out of range. */
-STLTSA_API int64_t stltsa_sides_count(const stltsa_sides *sides) STLTSA_NOEXCEPT;
-STLTSA_API stltsa_status stltsa_sides_pair(const stltsa_sides *sides, int64_t index,
-                                           stltsa_side_pair *pair) STLTSA_NOEXCEPT;
-/* Names of the joint, point or signal on the left and on the right. "" beyond the last pair. Valid
- * until the sides are freed. */
-STLTSA_API const char *stltsa_sides_left_name(const stltsa_sides *sides,
-                                              int64_t index) STLTSA_NOEXCEPT;
-STLTSA_API const char *stltsa_sides_right_name(const stltsa_sides *sides,
-                                               int64_t index) STLTSA_NOEXCEPT;
-/* Mean curves, samples x pairs; each argument may be NULL. The right curve is shifted by half a
- * cycle, so that the same row of both is the same phase of the motion; from stltsa_sides_find it is
- * also mirrored. The difference is left minus right. E_SHAPE. */
-STLTSA_API stltsa_status stltsa_sides_curves(const stltsa_sides *sides, const stltsa_out *left,
-                                             const stltsa_out *right,
-                                             const stltsa_out *difference) STLTSA_NOEXCEPT;
-/* The reason if there are no pairs: the halves of the cycles are not known to be the same motion of
- * opposite sides, or no two names differ only in the side. "" if there are pairs. Valid until the
- * sides are freed. */
-STLTSA_API const char *stltsa_sides_reason(const stltsa_sides *sides) STLTSA_NOEXCEPT;
 
 /* ---- Events ------------------------------------------------------------------------------- */
 

@@ -91,7 +91,7 @@ void phases_follow_the_motion_not_time(void**) {
     assert_true(worst < 0.02);
 }
 
-void sequences_share_their_zero(void**) {
+void sequences_share_their_mean_cycle(void**) {
     const Matrix samples = motion(900, 0.02, 3);
     // The second begins 18 rows, 0.3 cycles, later than the first.
     const Borders given[] = {sequence(30, 5, 1), sequence(30 + 7 * 60 + 18, 4, 1)};
@@ -103,19 +103,36 @@ void sequences_share_their_zero(void**) {
         ASSERT_NEAR(std::remainder(at(0, row) - at(1, row + 9 * 60), 1.0), 0, 0.01);
 }
 
+/// Cycle k goes from phase k to k + 1, on average over the borders.
+void borders_are_at_whole_phases(void**) {
+    const Matrix samples = motion(900, 0.05, 3);
+    const Borders given[] = {sequence(30, 5, 1), sequence(30 + 7 * 60, 4, 1)};
+    const Phases found = find_phases(samples.view(), rate, given, {});
+    double sum = 0;
+    for (std::size_t r = 0; r < 2; ++r)
+        for (std::size_t k = 0; k < given[r].size(); ++k) {
+            const double off = found.runs[r].phase_at(given[r][k]) - static_cast<double>(k);
+            assert_true(std::abs(off) < 0.05);
+            sum += off;
+        }
+    ASSERT_NEAR(sum, 0, 0.002);
+}
+
 /// Wherever cycles begin, with known sides or without: half a cycle off, a crop of markers had its
 /// zero on the other foot.
 void zero_does_not_depend_on_where_cycles_begin(void**) {
     const Matrix samples = motion(600, 0.02, 4);
     const Borders one = sequence(30, 6, 0);
     const auto at = [](const Phases& phases, std::int64_t row) {
-        return phases.runs[0].phase[static_cast<std::size_t>(row - phases.runs[0].begin)];
+        return phases.runs[0].phase[static_cast<std::size_t>(row - phases.runs[0].begin)] -
+               phases.zero;
     };
     for (const auto& side : {std::vector<double>{1, -1, 0, 0, 0, 0, 0, 0, 0, 0}, {}}) {
         const Phases a = find_phases(samples.view(), rate, {&one, 1}, side);
         for (const double later : {7.0, 15.0, 23.0, 30.0, 41.0, 52.0}) {
             const Borders other = sequence(30 + later, 6, 0);
             const Phases b = find_phases(samples.view(), rate, {&other, 1}, side);
+            assert_true(b.zero >= 0 && b.zero < 1);
             for (std::int64_t row = 100; row < 300; row += 20)
                 ASSERT_NEAR(std::remainder(at(a, row) - at(b, row), 1.0), 0, 0.02);
         }
@@ -135,7 +152,7 @@ void sides_that_do_not_swing_are_not_asked(void**) {
     const Borders given = sequence(30, 6, 0);
     const Phases a = find_phases(samples.view(), rate, {&given, 1}, side);
     const Phases b = find_phases(noisy.view(), rate, {&given, 1}, side);
-    ASSERT_NEAR(std::remainder(a.runs[0].phase[0] - b.runs[0].phase[0], 1.0), 0, 0.02);
+    ASSERT_NEAR(std::remainder(a.zero - b.zero, 1.0), 0, 0.02);
 }
 
 void without_a_mean_cycle_time_is_linear(void**) {
@@ -162,15 +179,15 @@ void runs_grow_beyond_their_borders(void**) {
 
 void a_peak_at_the_border_stays_one_peak(void**) {
     const Matrix samples = motion(600, 0.02, 7);
-    const Borders given = sequence(30, 8, 2);
+    const Borders given = sequence(30, 8, 0);
     const Phases found = find_phases(samples.view(), rate, {&given, 1}, {});
     Matrix peak(600, 1); // at phase 0
     const Run& run = found.runs[0];
-    for (std::int64_t i = 0; i < run.rows(); ++i) {
-        const double off = std::remainder(run.phase[static_cast<std::size_t>(i)], 1.0);
-        peak(run.begin + i, 0) = std::exp(-off * off / 0.01);
+    for (std::int64_t i = 0; i < peak.rows(); ++i) {
+        const double off = std::remainder(run.phase_at(static_cast<double>(i)), 1.0);
+        peak(i, 0) = std::exp(-off * off / 0.01);
     }
-    const Resampled made = resample(peak.view(), {times_of(run, 1, 6, 101), {}});
+    const Resampled made = resample(peak.view(), {times_of(run, given, 101), {}});
     ASSERT_NEAR(made.mean(0, 0), 1, 0.02);
     ASSERT_NEAR(made.mean(100, 0), 1, 0.02);
     int peaks = 0; // on the circle
@@ -180,41 +197,36 @@ void a_peak_at_the_border_stays_one_peak(void**) {
     assert_int_equal(peaks, 1);
 }
 
-void what_a_run_does_not_reach_is_unknown(void**) {
+void cycles_go_from_border_to_border(void**) {
     Run run{10, {}};
     for (int i = 0; i <= 80; ++i)
-        run.phase.push_back(0.2 + i * 0.025);
-    const Matrix rows = times_of(run, 0, 2, 5);
-    assert_true(std::isnan(rows(0, 0)));
-    ASSERT_NEAR(rows(0, 1), 12, 1e-12);
-    ASSERT_NEAR(rows(1, 4), 82, 1e-12);
-    Matrix signal(100, 1);
-    for (std::int64_t i = 0; i < 100; ++i)
-        signal(i, 0) = static_cast<double>(i);
-    const Resampled made = resample(signal.view(), {rows, {}});
-    ASSERT_NEAR(made.mean(0, 0), 42, 1e-12); // of the second cycle alone
-    assert_true(std::isnan(made.deviation(0, 0)));
-    ASSERT_NEAR(made.mean(1, 0), 32, 1e-12);
+        run.phase.push_back(-0.01 + i * 0.025);
+    const Borders borders{10, 50, 91}; // the last row is 90
+    const Matrix rows = times_of(run, borders, 5);
+    for (std::int64_t s = 0; s < 5; ++s) {
+        ASSERT_NEAR(rows(0, s), 10 + 10 * static_cast<double>(s), 1e-12);
+        ASSERT_NEAR(rows(1, s), 50 + 10.25 * static_cast<double>(s), 1e-12);
+    }
+    const Matrix shifted = times_of(run, borders, 5, 0.3);
+    const double expected[] = {22, 32, 42, 12, 22};
+    for (std::int64_t s = 0; s < 5; ++s)
+        ASSERT_NEAR(shifted(0, s), expected[s], 1e-9);
 }
 
-void a_single_cycle_is_closed(void**) {
+void a_cycle_at_the_end_goes_on_at_its_beginning(void**) {
     Run run{10, {}};
-    Matrix signal(60, 1);
-    for (std::int64_t i = 0; i < 60; ++i)
+    Matrix signal(50, 1);
+    for (std::int64_t i = 0; i < 10; ++i)
         signal(i, 0) = std::nan("");
     for (int i = 0; i < 40; ++i) {
-        run.phase.push_back(0.4 + i * 0.025);
+        run.phase.push_back(i * 0.025);
         signal(10 + i, 0) = std::cos(turn * run.phase.back());
     }
-    const Turns turns = closed_turn(run, 0, 41);
-    ASSERT_NEAR(turns.rows(0, 0), 34, 1e-9);
-    ASSERT_NEAR(turns.rows(0, 40), 74, 1e-9);
+    const Turns turns{times_of(run, {10, 50}, 41), {{10, 50}}};
+    ASSERT_NEAR(turns.rows(0, 40), 50, 1e-12);
     const Resampled made = resample(signal.view(), turns);
-    for (std::int64_t s = 0; s <= 40; ++s) // among them, those between the last row and the first
-        ASSERT_NEAR(made.mean(s, 0), std::cos(turn * static_cast<double>(s) / 40), 2e-3);
-    const Turns later = closed_turn(run, 0.5, 41);
-    ASSERT_NEAR(later.rows(0, 0), 14, 1e-9);
-    ASSERT_NEAR(later.rows(0, 40), 54, 1e-9);
+    for (std::int64_t s = 0; s <= 40; ++s)
+        ASSERT_NEAR(made.mean(s, 0), std::cos(turn * static_cast<double>(s) / 40), 1e-9);
 }
 
 /// Many short sequences together take long, though each is too short to poll after its rows.
@@ -237,14 +249,15 @@ int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(borders_that_are_off_do_not_matter),
         cmocka_unit_test(phases_follow_the_motion_not_time),
-        cmocka_unit_test(sequences_share_their_zero),
+        cmocka_unit_test(sequences_share_their_mean_cycle),
+        cmocka_unit_test(borders_are_at_whole_phases),
         cmocka_unit_test(zero_does_not_depend_on_where_cycles_begin),
         cmocka_unit_test(sides_that_do_not_swing_are_not_asked),
         cmocka_unit_test(without_a_mean_cycle_time_is_linear),
         cmocka_unit_test(runs_grow_beyond_their_borders),
         cmocka_unit_test(a_peak_at_the_border_stays_one_peak),
-        cmocka_unit_test(what_a_run_does_not_reach_is_unknown),
-        cmocka_unit_test(a_single_cycle_is_closed),
+        cmocka_unit_test(cycles_go_from_border_to_border),
+        cmocka_unit_test(a_cycle_at_the_end_goes_on_at_its_beginning),
         cmocka_unit_test(each_sequence_polls),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);

@@ -31,11 +31,10 @@ from .decomposition import Decomposition, decompose, report
 from .denoising import Denoising, denoise
 from .dimensions import Dimension, dimension
 from .errors import *  # noqa: F403
-from .events import Event
+from .events import Event, side_of_name
 from .live import Live, LiveFrame
 from .model import Mapped, Model, fit
 from .phase import Cycles, FoundEvent, FoundEvents, Phase, cycles_between
-from .sides import SidePair, Sides, side_of_name
 from .synthesis import Piece, Seam, Synthesis, synthesize, synthesize_loop
 
 if TYPE_CHECKING:
@@ -94,8 +93,6 @@ __all__ = [  # noqa: PLE0604
     "Piece",
     "Seam",
     "Segment",
-    "SidePair",
-    "Sides",
     "Statistics",
     "Summary",
     "Synthesis",

@@ -90,7 +90,7 @@ class Comparison:
     parts, channels : tuple of ComparedPart
         Joints, points or columns; and their coordinates, part by part.
     counts : tuple of int
-        Number of complete cycles of each motion, which were compared.
+        Number of cycles of each motion.
     labels : tuple of int
         Labels of their segments, 0 for A.
     cycle_time : Difference

@@ -32,7 +32,6 @@ from .comparison import Comparison
 from .errors import in_keywords, warn_of_order
 from .phase import Phase
 from .readers import is_points
-from .sides import Sides
 
 if TYPE_CHECKING:
     import os
@@ -388,46 +387,9 @@ class Decomposition(Described):
         (3, 101)
         """
         out = ffi.new("stltsa_phase **")
-        with Call(self._options, working_rate(self.clip.fps, self._options)) as call:
-            call.check(lib.stltsa_phase_find(self.clip._handle, self._handle, call.options, out))
+        with Call({"progress": self._options.get("progress")}) as call:
+            call.check(lib.stltsa_phase_find(self._handle, call.options, out))
         return Phase(owned("phase", out), len(self.clip), self.clip.fps)
-
-    def sides(self, label: str = "A", *, samples: int = 101) -> Sides:
-        """Compare the left side of the body with the right side half a cycle later.
-
-        Features, such as positions of joints, are compared with those of the mirror image, in the
-        unit of the file. For other signals, see :meth:`Cycles.sides`.
-
-        Parameters
-        ----------
-        label : str
-            Label of the segments whose cycles are compared.
-        samples : int
-            Samples per cycle, 2 to 1000000; 101 gives one per percent.
-
-        Returns
-        -------
-        Sides
-            The pairs; if the two halves of the cycles are not known to be the same motion of
-            opposite sides, or if no two names differ only in the side, no pairs and a reason.
-
-        Raises
-        ------
-        stltsa.ArgumentError
-            The label has neither cycles nor repetitions.
-
-        Examples
-        --------
-        >>> import stltsa
-        >>> sides = stltsa.decompose("walker.bvh").sides()
-        >>> max(pair.rms for pair in sides) < 0.1  # cm, for steps of 70 cm
-        True
-        """
-        phase, out = self.phase(), ffi.new("stltsa_sides **")
-        with Call(self._options, working_rate(self.clip.fps, self._options)) as call:
-            given = (self.clip._handle, phase._handle, number_of(label), samples)
-            call.check(lib.stltsa_sides_find(*given, call.options, out))
-        return Sides(owned("sides", out), samples)
 
     def compare(
         self,
@@ -443,7 +405,8 @@ class Decomposition(Described):
         ----------
         second : Decomposition, optional
             Another clip, such as the same person later. Without it, the left side of the body is
-            compared with the mirror image of the right side half a cycle later.
+            compared with the mirror image of the right side half a cycle later. For other
+            signals than features, see :meth:`Cycles.compare_left_right`.
         label, second_label, samples
             See :meth:`Phase.compare`.
 

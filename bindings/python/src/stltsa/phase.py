@@ -25,8 +25,7 @@ from ._rows import number_of
 from ._text import c_text
 from .comparison import Comparison
 from .errors import ArgumentError, QualityWarning
-from .events import Event
-from .sides import Sides, side_of_name
+from .events import Event, side_of_name
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -217,7 +216,7 @@ class Cycles:
         check(lib.stltsa_cycles_group_distance(self._handle, read_list(groups), write_to(result)))
         return {name: result[:, index] for name, index in number.items()}
 
-    def sides(self, names: Sequence[str]) -> Sides:
+    def compare_left_right(self, names: Sequence[str], *, fps: float | None = None) -> Comparison:
         """Compare the left side of the body with the right side half a cycle later.
 
         Parameters
@@ -225,34 +224,41 @@ class Cycles:
         names : sequence of str
             One name for each column; ``knee_l`` and ``knee_r`` are a pair, as are ``LeftKnee`` and
             ``RightKnee``. Both signals must have the same sign convention, as flexion has.
+        fps : float, optional
+            Frames per second of the signals; without it, times are NaN.
 
         Returns
         -------
-        Sides
-            The pairs; if the two halves of the cycles are not known to be the same motion of
-            opposite sides, or if no two names differ only in the side, no pairs and a reason.
-            Cycles from :func:`cycles_between` should begin with an event of the left side.
+        Comparison
+            Of the pairs, in cycles in which none of their values is missing. Cycles from
+            :func:`cycles_between` should begin with an event of the left side.
+
+        Raises
+        ------
+        stltsa.UnsupportedError
+            The two halves of the cycles are not known to be the same motion of opposite sides, or
+            no two names differ only in the side.
 
         Examples
         --------
         >>> import numpy as np
         >>> import stltsa
-        >>> turn = 2 * np.pi * np.arange(201) / 100
+        >>> turn = 2 * np.pi * np.arange(301) / 100
         >>> knees = np.stack([np.sin(turn), 0.8 * np.sin(turn - np.pi)], axis=1)
-        >>> cycles = stltsa.cycles_between([0, 100, 200], knees)
-        >>> (pair,) = cycles.sides(["knee_l", "knee_r"])
-        >>> round(pair.range_difference, 3), abs(round(pair.shift, 3))
-        (0.4, 0.0)
+        >>> cycles = stltsa.cycles_between([0, 100, 200, 300], knees)
+        >>> (pair,) = cycles.compare_left_right(["knee_l", "knee_r"], fps=100).parts
+        >>> round(pair.ratio[0], 3), abs(round(pair.lag.difference, 3))
+        (0.8, 0.0)
         """
-        samples, signals = self._shape
         if isinstance(names, str):
             raise TypeError(f"names is the string {names!r}, and must be a sequence of strings")
         texts = [c_text(name, "an entry of names") for name in names]
-        if len(texts) != signals:
-            raise ValueError(f"names has {len(texts)} entries; there are {signals} columns")
-        out = ffi.new("stltsa_sides **")
-        check(lib.stltsa_sides_compare(self._handle, ffi.new("char *[]", texts), out))
-        return Sides(owned("sides", out), samples)
+        if len(texts) != self._shape[1]:
+            raise ValueError(f"names has {len(texts)} entries; there are {self._shape[1]} columns")
+        out = ffi.new("stltsa_comparison **")
+        given = (self._handle, ffi.new("char *[]", texts), fps or 0, _NULL)
+        check(lib.stltsa_cycles_compare_left_right(*given, out))
+        return Comparison(owned("comparison", out), timed=bool(fps))
 
     def __repr__(self) -> str:
         samples, signals = self._shape
@@ -262,8 +268,8 @@ class Cycles:
 class Phase:
     """Where each frame lies on the mean cycle of its motion, in turns.
 
-    The phase rises strictly and is continuous across the borders of cycles; 0 is the same posture
-    in every cycle and clip, wherever the cycles begin.
+    The phase rises strictly. Cycle k of the decomposition goes from phase 0 to 1: borders lie at
+    phase 0 on average, and within about 1 % of it.
     """
 
     def __init__(self, handle: Any, frames: int, fps: float) -> None:
@@ -282,6 +288,26 @@ class Phase:
         values = np.empty(self._frames)
         self._fill(0, values)
         return values
+
+    def zero(self, label: str = "A") -> float:
+        """Return the phase at which the body is at the same place in every clip and person.
+
+        It does not depend on where cycles begin: the legs pass each other there, if the sides of
+        the body are known and swing.
+
+        Parameters
+        ----------
+        label : str
+            Of the segments.
+
+        Raises
+        ------
+        stltsa.ArgumentError
+            The label has neither cycles nor repetitions.
+        """
+        zero = ffi.new("double *")
+        check(lib.stltsa_phase_zero(self._handle, number_of(label), zero))
+        return float(zero[0])
 
     @property
     def residual(self) -> FloatArray:

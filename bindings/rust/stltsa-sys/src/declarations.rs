@@ -2335,7 +2335,6 @@ pub struct stltsa_phase {
 }
 extern "C" {
     pub fn stltsa_phase_find(
-        clip: *const stltsa_clip,
         decomposition: *const stltsa_decomposition,
         options: *const stltsa_options,
         phase: *mut *mut stltsa_phase,
@@ -2350,6 +2349,13 @@ extern "C" {
         values: *const stltsa_out,
         residual: *const stltsa_out,
         cycle: *const stltsa_out,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_phase_zero(
+        phase: *const stltsa_phase,
+        label: i32,
+        zero: *mut f64,
     ) -> stltsa_status;
 }
 extern "C" {
@@ -2438,226 +2444,6 @@ pub const STLTSA_SIDE_LEFT: i32 = 0;
 pub const STLTSA_SIDE_RIGHT: i32 = 1;
 extern "C" {
     pub fn stltsa_side_of_name(name: *const ::std::os::raw::c_char) -> i32;
-}
-#[repr(C)]
-#[derive(Debug, Copy, Clone)]
-pub struct stltsa_sides {
-    _unused: [u8; 0],
-}
-#[repr(C)]
-#[derive(Debug, Copy, Clone)]
-pub struct stltsa_side_pair {
-    pub size: usize,
-    pub left: i64,
-    pub right: i64,
-    pub rms: f64,
-    pub chance: f64,
-    pub mean: f64,
-    pub left_range: f64,
-    pub right_range: f64,
-    pub shift: f64,
-    pub correlation: f64,
-}
-#[test]
-fn bindgen_test_layout_stltsa_side_pair() {
-    assert_eq!(
-        ::std::mem::size_of::<stltsa_side_pair>(),
-        80usize,
-        concat!("Size of: ", stringify!(stltsa_side_pair))
-    );
-    assert_eq!(
-        ::std::mem::align_of::<stltsa_side_pair>(),
-        8usize,
-        concat!("Alignment of ", stringify!(stltsa_side_pair))
-    );
-    fn test_field_size() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_side_pair>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).size) as usize - ptr as usize
-            },
-            0usize,
-            concat!("Offset of field: ", stringify!(stltsa_side_pair), "::", stringify!(size))
-        );
-    }
-    test_field_size();
-    fn test_field_left() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_side_pair>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).left) as usize - ptr as usize
-            },
-            8usize,
-            concat!("Offset of field: ", stringify!(stltsa_side_pair), "::", stringify!(left))
-        );
-    }
-    test_field_left();
-    fn test_field_right() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_side_pair>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).right) as usize - ptr as usize
-            },
-            16usize,
-            concat!("Offset of field: ", stringify!(stltsa_side_pair), "::", stringify!(right))
-        );
-    }
-    test_field_right();
-    fn test_field_rms() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_side_pair>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).rms) as usize - ptr as usize
-            },
-            24usize,
-            concat!("Offset of field: ", stringify!(stltsa_side_pair), "::", stringify!(rms))
-        );
-    }
-    test_field_rms();
-    fn test_field_chance() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_side_pair>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).chance) as usize - ptr as usize
-            },
-            32usize,
-            concat!("Offset of field: ", stringify!(stltsa_side_pair), "::", stringify!(chance))
-        );
-    }
-    test_field_chance();
-    fn test_field_mean() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_side_pair>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).mean) as usize - ptr as usize
-            },
-            40usize,
-            concat!("Offset of field: ", stringify!(stltsa_side_pair), "::", stringify!(mean))
-        );
-    }
-    test_field_mean();
-    fn test_field_left_range() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_side_pair>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).left_range) as usize - ptr as usize
-            },
-            48usize,
-            concat!(
-                "Offset of field: ",
-                stringify!(stltsa_side_pair),
-                "::",
-                stringify!(left_range)
-            )
-        );
-    }
-    test_field_left_range();
-    fn test_field_right_range() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_side_pair>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).right_range) as usize - ptr as usize
-            },
-            56usize,
-            concat!(
-                "Offset of field: ",
-                stringify!(stltsa_side_pair),
-                "::",
-                stringify!(right_range)
-            )
-        );
-    }
-    test_field_right_range();
-    fn test_field_shift() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_side_pair>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).shift) as usize - ptr as usize
-            },
-            64usize,
-            concat!("Offset of field: ", stringify!(stltsa_side_pair), "::", stringify!(shift))
-        );
-    }
-    test_field_shift();
-    fn test_field_correlation() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_side_pair>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).correlation) as usize - ptr as usize
-            },
-            72usize,
-            concat!(
-                "Offset of field: ",
-                stringify!(stltsa_side_pair),
-                "::",
-                stringify!(correlation)
-            )
-        );
-    }
-    test_field_correlation();
-}
-extern "C" {
-    pub fn stltsa_sides_find(
-        clip: *const stltsa_clip,
-        phase: *const stltsa_phase,
-        label: i32,
-        samples: i64,
-        options: *const stltsa_options,
-        sides: *mut *mut stltsa_sides,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_sides_compare(
-        cycles: *const stltsa_cycles,
-        names: *const *const ::std::os::raw::c_char,
-        sides: *mut *mut stltsa_sides,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_sides_free(sides: *mut stltsa_sides);
-}
-extern "C" {
-    pub fn stltsa_sides_count(sides: *const stltsa_sides) -> i64;
-}
-extern "C" {
-    pub fn stltsa_sides_pair(
-        sides: *const stltsa_sides,
-        index: i64,
-        pair: *mut stltsa_side_pair,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_sides_left_name(
-        sides: *const stltsa_sides,
-        index: i64,
-    ) -> *const ::std::os::raw::c_char;
-}
-extern "C" {
-    pub fn stltsa_sides_right_name(
-        sides: *const stltsa_sides,
-        index: i64,
-    ) -> *const ::std::os::raw::c_char;
-}
-extern "C" {
-    pub fn stltsa_sides_curves(
-        sides: *const stltsa_sides,
-        left: *const stltsa_out,
-        right: *const stltsa_out,
-        difference: *const stltsa_out,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_sides_reason(sides: *const stltsa_sides) -> *const ::std::os::raw::c_char;
 }
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
@@ -3632,6 +3418,15 @@ extern "C" {
         phase: *const stltsa_phase,
         label: i32,
         samples: i64,
+        options: *const stltsa_options,
+        comparison: *mut *mut stltsa_comparison,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_cycles_compare_left_right(
+        cycles: *const stltsa_cycles,
+        names: *const *const ::std::os::raw::c_char,
+        fps: f64,
         options: *const stltsa_options,
         comparison: *mut *mut stltsa_comparison,
     ) -> stltsa_status;

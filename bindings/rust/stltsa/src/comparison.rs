@@ -11,7 +11,7 @@ use crate::clip::Clip;
 use crate::error::{c_count, c_name, c_path, check, count, text, texts, Error, ErrorKind, Result};
 use crate::handle::Owned;
 use crate::options::Options;
-use crate::phase::Phase;
+use crate::phase::{Cycles, Phase};
 
 /// A quantity of both mean cycles and its difference, second minus first. NaN: unknown.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -76,7 +76,7 @@ pub struct Comparison {
     pub parts: Vec<ComparedPart>,
     /// Their coordinates, part by part.
     pub channels: Vec<ComparedPart>,
-    /// Number of complete cycles, which were compared.
+    /// Number of cycles.
     pub counts: [usize; 2],
     /// Labels of their segments, 0 for A.
     pub labels: [usize; 2],
@@ -134,7 +134,7 @@ impl Phase {
     /// let options = Options::new();
     /// let phase = |path: &str| {
     ///     let clip = Clip::open(path)?;
-    ///     Phase::find(&clip, &clip.decompose(&options)?, &options)
+    ///     Phase::find(&clip.decompose(&options)?, &options)
     /// };
     /// let compared = phase("before.bvh")?.compare(&phase("after.bvh")?, None, None, 101)?;
     /// for part in &compared.parts {
@@ -146,8 +146,7 @@ impl Phase {
     /// # Errors
     /// [`NoSuchPart`](crate::ErrorKind::NoSuchPart) if a clip has no cycles,
     /// [`Argument`](crate::ErrorKind::Argument) if a label has no cycles,
-    /// [`Shape`](crate::ErrorKind::Shape) if the clips have nothing in common,
-    /// [`TooFewFrames`](crate::ErrorKind::TooFewFrames) if a clip has no complete cycle.
+    /// [`Shape`](crate::ErrorKind::Shape) if the clips have nothing in common.
     pub fn compare(
         &self,
         second: &Phase,
@@ -202,6 +201,30 @@ impl Phase {
             })
         })?;
         Comparison::read(found)
+    }
+}
+
+impl Cycles {
+    /// Compares left with right half a cycle later: signals whose names differ only in the side, such
+    /// as `knee_l` and `knee_r`; one name for each column. Both signals must have the same sign
+    /// convention, as flexion has. `fps`: frames per second; 0: unknown, so that times are NaN.
+    ///
+    /// # Errors
+    /// [`Shape`](crate::ErrorKind::Shape) unless there is one name for each column,
+    /// [`Unsupported`](crate::ErrorKind::Unsupported) if no two of them differ only in the side, or
+    /// the halves of the cycles are not known to be alike.
+    pub fn compare_left_right(&self, names: &[&str], fps: f64) -> Result<Comparison> {
+        if names.len() != self.columns() {
+            let text = format!("there are {} names and {} columns", names.len(), self.columns());
+            return Err(Error::new(ErrorKind::Shape, text));
+        }
+        let texts = names.iter().map(|name| c_name(name)).collect::<Result<Vec<_>>>()?;
+        let raw: Vec<_> = texts.iter().map(|text| text.as_ptr()).collect();
+        let options = std::ptr::null();
+        // SAFETY: a live handle, a text for each column.
+        Comparison::read(Owned::make(|out| unsafe {
+            sys::stltsa_cycles_compare_left_right(self.raw(), raw.as_ptr(), fps, options, out)
+        })?)
     }
 }
 

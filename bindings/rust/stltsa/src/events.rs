@@ -48,7 +48,7 @@ impl Phase {
     ///
     /// let walk = Clip::open("walk.bvh")?;
     /// let options = Options::new();
-    /// let phase = Phase::find(&walk, &walk.decompose(&options)?, &options)?;
+    /// let phase = Phase::find(&walk.decompose(&options)?, &options)?;
     /// for strike in phase.events(&[131.5], None)?.events {
     ///     println!("{:.3} s, confidence {:.2}", strike.seconds, strike.confidence);
     /// }

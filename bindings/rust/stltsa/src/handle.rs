@@ -32,7 +32,6 @@ handles! {
     stltsa_decomposition: stltsa_decomposition_free
     stltsa_denoising: stltsa_denoising_free
     stltsa_phase: stltsa_phase_free
-    stltsa_sides: stltsa_sides_free
     stltsa_comparison: stltsa_comparison_free
     stltsa_events: stltsa_events_free
     stltsa_live: stltsa_live_free

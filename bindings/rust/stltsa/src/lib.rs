@@ -89,7 +89,7 @@ pub use model::{Model, ModelInfo};
 pub use options::{options_table, OptionInfo, Options};
 pub use parts::{Part, PartKind, Quantity, Segment, Statistics, Summary, Travel};
 pub use phase::{Cycles, Phase};
-pub use sides::{Side, SidePair, Sides};
+pub use sides::Side;
 pub use synthesis::{Piece, Seam, Synthesis};
 
 /// Tests the README's programs together with the documentation.

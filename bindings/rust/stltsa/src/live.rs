@@ -86,7 +86,7 @@ impl LiveFrame {
 ///
 /// let walk = Clip::open("walk.bvh")?;
 /// let options = Options::new();
-/// let phase = Phase::find(&walk, &walk.decompose(&options)?, &options)?;
+/// let phase = Phase::find(&walk.decompose(&options)?, &options)?;
 /// let mut model = Model::fit_clip(&walk, &options)?;
 /// model.keep_cycle(&phase)?;
 /// let mut live = Live::new(&model)?;

@@ -5,23 +5,23 @@
 use stltsa_sys as sys;
 
 use crate::array::{list_in, list_out, Matrix, View};
-use crate::clip::Clip;
 use crate::decomposition::Decomposition;
 use crate::error::{c_count, check, count, texts, Error, ErrorKind, Result};
 use crate::handle::Owned;
+use crate::kinds::Fact;
 use crate::options::Options;
 
 /// A phase for every frame of the cycles of a clip, in turns.
 ///
-/// It rises strictly and is continuous across the borders of cycles; 0 is at the same place of the
-/// body in every cycle and clip.
+/// It rises strictly. Cycle k of the decomposition goes from phase 0 to 1: borders lie at phase 0 on
+/// average, and within about 1 % of it.
 ///
 /// ```no_run
 /// use stltsa::{Clip, Options, Phase};
 ///
 /// let walk = Clip::open("walk.bvh")?;
 /// let options = Options::new();
-/// let phase = Phase::find(&walk, &walk.decompose(&options)?, &options)?;
+/// let phase = Phase::find(&walk.decompose(&options)?, &options)?;
 /// let knee = walk.features(&options)?;
 /// let cycles = phase.resample(0, &knee, 101)?;
 /// println!("{} cycles, first value of the mean {}", cycles.len(), cycles.mean()?[(0, 0)]);
@@ -34,18 +34,32 @@ pub struct Phase {
 }
 
 impl Phase {
-    /// Finds the phase of a clip that was decomposed with the same options.
+    /// The phase of a clip that was decomposed: found by the first call, and kept by the
+    /// decomposition. Used of the options: progress.
     ///
     /// # Errors
-    /// [`Argument`](crate::ErrorKind::Argument) if the decomposition is of another clip.
-    pub fn find(clip: &Clip, found: &Decomposition, options: &Options) -> Result<Self> {
+    /// [`Cancelled`](crate::ErrorKind::Cancelled).
+    pub fn find(found: &Decomposition, options: &Options) -> Result<Self> {
         let handle = options.call(|options| {
-            // SAFETY: live handles.
-            Owned::make(|out| unsafe {
-                sys::stltsa_phase_find(clip.raw(), found.raw(), options, out)
-            })
+            // SAFETY: a live handle.
+            Owned::make(|out| unsafe { sys::stltsa_phase_find(found.raw(), options, out) })
         })?;
-        Ok(Self { handle, frames: clip.frames() })
+        let frames = found.facts().ints(Fact::ClipFrames)?;
+        Ok(Self { handle, frames: frames.first().map_or(Ok(0), |&frames| count(frames))? })
+    }
+
+    /// The phase at which the body is at the same place in every clip, wherever its cycles begin;
+    /// `label`: 0 for A.
+    ///
+    /// # Errors
+    /// [`Argument`](crate::ErrorKind::Argument) if the label has neither cycles nor repetitions.
+    pub fn zero(&self, label: usize) -> Result<f64> {
+        let label = i32::try_from(label)
+            .map_err(|_| Error::new(ErrorKind::Argument, format!("there is no label {label}")))?;
+        let mut zero = f64::NAN;
+        // SAFETY: a live handle.
+        check(unsafe { sys::stltsa_phase_zero(self.handle.raw(), label, &mut zero) })?;
+        Ok(zero)
     }
 
     pub(crate) fn raw(&self) -> *const sys::stltsa_phase {
@@ -176,10 +190,6 @@ impl Cycles {
 
     pub(crate) fn raw(&self) -> *const sys::stltsa_cycles {
         self.handle.raw()
-    }
-
-    pub(crate) fn samples(&self) -> usize {
-        self.samples
     }
 
     pub(crate) fn columns(&self) -> usize {

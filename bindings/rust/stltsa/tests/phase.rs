@@ -11,7 +11,7 @@ fn frames_of_cycles_have_phases() {
     let clip = common::walker();
     let options = Options::new();
     let found = clip.decompose(&options).unwrap();
-    let phase = Phase::find(&clip, &found, &options).unwrap();
+    let phase = Phase::find(&found, &options).unwrap();
     let (values, cycles) = (phase.values().unwrap(), phase.cycles().unwrap());
     let residuals = phase.residuals().unwrap();
     assert_eq!(values.len(), clip.frames());
@@ -22,6 +22,8 @@ fn frames_of_cycles_have_phases() {
         assert!(values[frame].is_nan() || residuals[frame] < 0.5);
     }
     assert!(phase.warnings().is_empty());
+    assert!((0.0..1.0).contains(&phase.zero(0).unwrap()));
+    assert_eq!(phase.zero(9).unwrap_err().kind(), ErrorKind::Argument);
 
     let ramp: Vec<[f64; 1]> = (0..clip.frames()).map(|frame| [frame as f64]).collect();
     let cycles = phase.resample(0, &ramp, 11).unwrap();
@@ -48,7 +50,7 @@ fn motions_are_compared() {
     let clip = common::walker();
     let options = Options::new();
     let phase = |clip: &stltsa::Clip| {
-        Phase::find(clip, &clip.decompose(&options).unwrap(), &options).unwrap()
+        Phase::find(&clip.decompose(&options).unwrap(), &options).unwrap()
     };
     let (whole, part) = (phase(&clip), phase(&clip.stretch("200-", &options).unwrap()));
     let found = whole.compare(&part, Some(0), None, 51).unwrap();
@@ -90,32 +92,17 @@ fn sides_of_signals_are_compared() {
         .map(|at| [at.sin(), 0.8 * (at - turn * 0.55).sin() + 0.1])
         .collect();
     let cycles = Cycles::between(&[0.0, 100.0, 200.0], &knees, 101).unwrap();
-    let sides = cycles.sides(&["knee_l", "knee_r"]).unwrap();
-    assert_eq!(sides.pairs.len(), 1);
-    let pair = &sides.pairs[0];
-    assert_eq!((&*pair.left, &*pair.right), ("knee_l", "knee_r"));
-    assert_eq!((pair.left_column, pair.right_column), (0, 1));
-    assert!((pair.shift - 0.05).abs() < 1e-3 && (pair.mean + 0.1).abs() < 1e-9);
-    assert!((pair.left_range - 2.0).abs() < 1e-2 && (pair.right_range - 1.6).abs() < 1e-2);
-    assert!(pair.rms > 0.1 && pair.chance < 1e-9 && pair.correlation > 0.999);
-    let expected = sides.left[(7, 0)] - sides.right[(7, 0)];
-    assert_eq!(sides.difference[(7, 0)], expected);
-    assert_eq!(sides.reason, "");
-    let none = cycles.sides(&["knee_l", "hip_r"]).unwrap();
-    assert!(none.pairs.is_empty() && none.reason.contains("differ only in the side"));
-    assert_eq!(cycles.sides(&["knee_l"]).unwrap_err().kind(), ErrorKind::Shape);
-}
-
-#[test]
-#[ignore = "needs STLTSA_TEST_CLIP"]
-fn sides_of_a_symmetric_walk_differ_by_nothing() {
-    let clip = common::walker();
-    let options = Options::new();
-    let phase = Phase::find(&clip, &clip.decompose(&options).unwrap(), &options).unwrap();
-    let sides = phase.sides(&clip, 0, 101, &options).unwrap();
-    assert!(sides.pairs.len() > 20);
-    assert!(sides.pairs.iter().all(|pair| pair.rms < 0.1));
-    assert_eq!(phase.sides(&clip, 9, 101, &options).unwrap_err().kind(), ErrorKind::Argument);
+    let compared = cycles.compare_left_right(&["knee_l", "knee_r"], 50.0).unwrap();
+    assert_eq!((compared.parts.len(), compared.counts), (1, [2, 2]));
+    let pair = &compared.parts[0];
+    assert_eq!((&*pair.name, &*pair.second_name), ("knee_l", "knee_r"));
+    assert!((pair.lag.difference - 0.05).abs() < 1e-3 && (pair.mean.difference - 0.1).abs() < 1e-9);
+    assert!((pair.ratio[0] - 0.8).abs() < 1e-2 && pair.chance < 1e-9 && pair.correlation > 0.999);
+    assert!((compared.cycle_time.first - 2.0).abs() < 1e-9);
+    let unlike = cycles.compare_left_right(&["knee_l", "hip_r"], 0.0).unwrap_err();
+    assert_eq!(unlike.kind(), ErrorKind::Unsupported);
+    let few = cycles.compare_left_right(&["knee_l"], 0.0).unwrap_err();
+    assert_eq!(few.kind(), ErrorKind::Shape);
 }
 
 #[test]
@@ -124,7 +111,7 @@ fn a_mark_is_found_in_every_cycle() {
     let clip = common::walker();
     let options = Options::new();
     let found = clip.decompose(&options).unwrap();
-    let phase = Phase::find(&clip, &found, &options).unwrap();
+    let phase = Phase::find(&found, &options).unwrap();
     let middle = |cycle: usize| {
         let part = &found.cycles()[cycle];
         (part.begin_s + part.end_s) / 2.0 * clip.fps().unwrap()
@@ -141,7 +128,7 @@ fn a_mark_is_found_in_every_cycle() {
     }
     assert_eq!(phase.events(&[middle(1)], Some(&phase)).unwrap(), events);
     let image = clip.mirrored(&options).unwrap();
-    let image = Phase::find(&image, &image.decompose(&options).unwrap(), &options).unwrap();
+    let image = Phase::find(&image.decompose(&options).unwrap(), &options).unwrap();
     let other_side = phase.events(&[middle(1)], Some(&image)).unwrap();
     assert!(other_side.likeness > 0.9 && !other_side.events.is_empty());
     assert_eq!(phase.events(&[2.0], None).unwrap_err().kind(), ErrorKind::Argument);
@@ -153,7 +140,7 @@ fn a_stream_has_the_phase_of_the_clip() {
     let clip = common::walker();
     let options = Options::new();
     let found = clip.decompose(&options).unwrap();
-    let phase = Phase::find(&clip, &found, &options).unwrap();
+    let phase = Phase::find(&found, &options).unwrap();
     let mut model = Model::fit_clip(&clip, &options).unwrap();
     assert!(!model.has_cycle());
     assert_eq!(Live::new(&model).unwrap_err().kind(), ErrorKind::Unsupported);

@@ -70,7 +70,7 @@ fn it_cancels_at_every_report() {
 fn it_cancels_events_comparisons_and_files() {
     let clip = common::walker();
     let found = clip.decompose(&Options::new()).unwrap();
-    let phase = Phase::find(&clip, &found, &Options::new()).unwrap();
+    let phase = Phase::find(&found, &Options::new()).unwrap();
     let options = Options::new().progress(|_, _| Break(()));
     let path = std::env::temp_dir().join(format!("stltsa-{}.csv", std::process::id()));
     let errors = [
