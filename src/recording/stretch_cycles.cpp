@@ -288,7 +288,7 @@ std::string decide(const StillRows& still, double rate, CyclicStretch& cut) {
         const double middle = static_cast<double>(pause.begin + pause.end) / 2;
         return middle > cut.borders.front() && middle < cut.borders.back();
     });
-    if (2 * held > static_cast<std::ptrdiff_t>(sure.size()))
+    if (2 * held > static_cast<std::ptrdiff_t>(sure.size()) - 1)
         return format_text("a rest within each repetition: the motion repeats after {:.2f} s",
                            seconds);
     return {};
