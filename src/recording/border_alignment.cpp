@@ -16,9 +16,9 @@ namespace {
 // by at most 0.13 % with it.
 
 /// Number of places at which velocities are compared.
-constexpr std::int64_t places = 25;
+constexpr std::int64_t places = 31;
 /// The first place is so much of a cycle before the border, the last so much after it.
-constexpr double around_border = 0.5;
+constexpr double around_border = 0.6;
 constexpr double between_places = 2 * around_border / (places - 1);
 /// Most of a cycle before the first border and after the last one: beyond, the motion is another.
 constexpr double beyond = 0.25;
