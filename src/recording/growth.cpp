@@ -21,6 +21,8 @@ constexpr double steady = 0.02;
 /// The motion ends where rows are farther from the mean cycle than this share of its variance, or
 /// where it is faster or slower than the tracked period by this factor.
 constexpr double max_deviation = 0.4;
+/// Noise, and what differs from cycle to cycle, may be more: so many times what is usual.
+constexpr double usual_deviations = 2;
 constexpr double deviation_periods = 0.25; // so many rows at a time
 constexpr double max_tempo_ratio = 1.4;
 /// Periods by which it grows at a time, and at most beyond the tracked rows on each side.
@@ -62,13 +64,13 @@ class Grower {
     Growth grow() {
         if (tracked_.rows() < min_rows || !enter(seed()))
             return {};
-        bool at_begin = true, at_end = true;
-        while (at_begin || at_end) {
-            const std::int64_t before = grown_.rows(), most = 2 * before;
-            while (at_end && grown_.rows() < most)
-                at_end = extend(true);
-            while (at_begin && grown_.rows() < most)
-                at_begin = extend(false);
+        for (std::int64_t before = 0; grown_.rows() > before;) {
+            before = grown_.rows();
+            const std::int64_t most = 2 * before;
+            while (grown_.rows() < most && extend(true))
+                continue;
+            while (grown_.rows() < most && extend(false))
+                continue;
             if (grown_.rows() > before) // the mean cycle follows what has been added
                 enter(part(grown_));
         }
@@ -191,11 +193,15 @@ class Grower {
             return static_cast<std::size_t>((at_end ? fresh.begin + i : fresh.end - 1 - i) -
                                             more.begin);
         };
+        std::vector<double> known;
+        for (std::int64_t i = fresh.rows() - more.rows(); i < 0; ++i)
+            known.push_back(all[row(i)]);
+        const double limit = std::max(max_deviation, usual_deviations * motion::median(known));
         for (std::int64_t i = 0; i < fresh.rows(); ++i) {
             std::vector<double> last; // the median, since single points may jump
             for (std::int64_t k = i + 1 - reach; k <= i; ++k)
                 last.push_back(all[row(k)]);
-            if (motion::median(last) > max_deviation)
+            if (motion::median(last) > limit)
                 return std::max<std::int64_t>(0, i + 1 - reach);
         }
         return fresh.rows();
