@@ -17,7 +17,7 @@ namespace stltsa::recording {
 namespace {
 
 /// Turns that must be seen for the motion to repeat.
-constexpr double min_turns = 1.3;
+constexpr double min_turns = 1.5;
 /// A cycle may lack so much of a turn: phases at the ends are not known better.
 constexpr double turn_tolerance = 0.02;
 /// The mean cycle passes through a posture of rest, and is slow there, if its squared distance from
