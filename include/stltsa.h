@@ -163,7 +163,7 @@ enum {
     STLTSA_OPT_NEIGHBORS = 1,    /* int   k; auto: 1.2 periods if a period is found, otherwise
                                       1.2 s, or 12 rows if the frame rate is unknown */
     STLTSA_OPT_WINDOW = 2,       /* int   w, frames to each side; auto: as neighbors */
-    STLTSA_OPT_DIMENSION = 3,    /* int   d; auto: fit 2, decompose the best of 1 to 3 */
+    STLTSA_OPT_DIMENSION = 3,    /* int   d; auto: 2 */
     STLTSA_OPT_MODE = 4,         /* int   STLTSA_MODE_* */
     STLTSA_OPT_INCLUDE_SELF = 5, /* int   1: a frame is among its own k neighbors (Zhang and Zha);
                                       0: it is not (as scikit-learn has it) */
@@ -381,7 +381,9 @@ enum {
     STLTSA_INFO_FPS = 15,               /* real   rows a second; 0: unknown */
     STLTSA_INFO_BODY_ROOT = 16,         /* int    Clips: joint that turns the body. Those before
                                                   it, its ancestors, are not part of the body */
-    /* The fit. A denoising of given coordinates has none of these seven. */
+    /* The fit; of a decomposition, that of about 12 cycles at the start of the longest cyclic
+     * segment, whose rows are 24 to a cycle. A denoising of given coordinates has none of these
+     * seven. */
     STLTSA_INFO_MODE = 20,              /* int    STLTSA_MODE_* */
     STLTSA_INFO_NEIGHBORS = 21,         /* int    k used, in rows */
     STLTSA_INFO_WINDOW = 22,            /* int    w used, in rows to each side */
@@ -393,8 +395,9 @@ enum {
     /* The period, if one was looked for. */
     STLTSA_INFO_PERIOD = 30,            /* real   period in seconds; 0: none, or the rate is
                                                   unknown: see PERIOD_ROWS */
-    STLTSA_INFO_LAG_QUALITY = 31,       /* real   1 - D(T) of the period; 1: perfect, 0: no
-                                                  period */
+    STLTSA_INFO_LAG_QUALITY = 31,       /* real   1 - D(T) of the period; of decompositions, the
+                                                  match of the velocities one period apart; 1:
+                                                  perfect, 0: no period */
     STLTSA_INFO_PERIOD_MIN = 32,        /* real   shortest period looked for, in seconds; 0: no
                                                   search was made */
     STLTSA_INFO_PERIOD_MAX = 33,        /* real   longest period looked for, in seconds; 0: no
@@ -424,13 +427,14 @@ enum {
                                                   component; near 1: the curve is ill-defined */
     STLTSA_INFO_COMPONENTS = 49,        /* int    components of the neighborhood graph */
     /* Decompositions; EIGENVALUE, LOCAL_PCA and EIGENGAP are facts of a dimension, too. */
-    STLTSA_INFO_COORDINATE = 60,        /* int    1-based column that was cut; 0: none */
+    STLTSA_INFO_COORDINATE = 60,        /* int    1-based coordinate of the fit whose margins
+                                                  count; 0: none */
     STLTSA_INFO_CYCLICITY = 61,         /* real   how well that coordinate repeats once a
                                                   period; 1: perfect */
-    STLTSA_INFO_REPRESENTATIVE = 62,    /* int    index of the paper's cycle (first to third
-                                                  candidate); -1: none */
-    STLTSA_INFO_BEST = 63,              /* int    index of the cycle most like the others; -1:
-                                                  none */
+    STLTSA_INFO_REPRESENTATIVE = 62,    /* int    index of the first cycle of the cyclic
+                                                  segment that lasts longest; -1: none */
+    STLTSA_INFO_BEST = 63,              /* int    index of the cycle most like the mean cycle of
+                                                  that segment; -1: none */
     STLTSA_INFO_REASON = 64,            /* text   why nothing repeats; empty if anything does */
     STLTSA_INFO_EIGENVALUE = 65,        /* real[] eigenvalues, ascending, the zero one first:
                                                   of B, and of B / k in a dimension */
@@ -933,15 +937,12 @@ typedef struct stltsa_summary {
 
 /* Says what is done when in a recording of any length, and what of it repeats. It finds where the
  * body rests and where its behavior changes, follows the period over time, and cuts each segment
- * that repeats into cycles: at the steepest points, between peaks and valleys (zeros of the second
- * derivative), of a coordinate that oscillates once per cycle (section 3.1). Actions between
- * rests that are one motion are repetitions. Segments of one motion share a label. A clip of one
- * motion is a single segment between rests. Segments without cycles have a reason; this is not an
- * error.
- * If one of the options neighbors, window, dimension or mode is set, the clip is taken as one
- * motion and embedded with it.
- * Options: features, up axis, keep_start, sample_rate, smoothing, period_*, neighbors, window,
- * dimension, mode, dimension_estimate (with eigengap and variance), threads, progress.
+ * that repeats into cycles: from the posture of rest, if the motion passes through it, or else at
+ * the steepest points, between peaks and valleys, of a coordinate that oscillates once per cycle
+ * (section 3.1). Actions between rests that are one motion are repetitions. Segments of one motion
+ * share a label. Segments without cycles have a reason; this is not an error.
+ * Options: features, up axis, keep_start, sample_rate, smoothing, period_*, segments, threads,
+ * progress; those of embeddings (neighbors, window, dimension, mode, ...) are refused.
  * E_ARGUMENT: the clip's fps is unknown (set option fps when you open it). Other errors as
  * stltsa_fit. */
 STLTSA_API stltsa_status stltsa_decompose(const stltsa_clip *clip, const stltsa_options *options,
@@ -995,25 +996,21 @@ stltsa_decomposition_unit_count(const stltsa_decomposition *decomposition) STLTS
 STLTSA_API stltsa_status stltsa_decomposition_unit(const stltsa_decomposition *decomposition,
                                                    int64_t index,
                                                    stltsa_interval *unit) STLTSA_NOEXCEPT;
-/* Cycles in temporal order, each from margin i to margin i + 2: the parts STLTSA_PART_CYCLE. */
+/* Cycles in temporal order: the parts STLTSA_PART_CYCLE. */
 STLTSA_API int64_t
 stltsa_decomposition_cycle_count(const stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
 STLTSA_API stltsa_status stltsa_decomposition_cycle(const stltsa_decomposition *decomposition,
                                                     int64_t index,
                                                     stltsa_interval *cycle) STLTSA_NOEXCEPT;
 
-/* The smoothed coordinate that was cut: samples x 1. In a recording of several segments it is 0
- * outside those that are cyclic. */
+/* The smoothed coordinate whose margins count: samples x 1. It is 0 outside cyclic segments. */
 STLTSA_API stltsa_status stltsa_decomposition_curve(const stltsa_decomposition *decomposition,
                                                     const stltsa_out *curve) STLTSA_NOEXCEPT;
-/* All coordinates of the fit that was cut, not smoothed: samples x STLTSA_INFO_DIMENSION; zeros if
- * there was nothing to fit (STLTSA_INFO_COORDINATE 0). Samples outside the moving part of a clip of
- * one motion have the coordinates of its nearest end; in a recording of several segments, those
- * outside the cyclic ones are zero. */
+/* That coordinate and one a quarter of a cycle behind, as stltsa_decomposition_loop: samples x 2. */
 STLTSA_API stltsa_status stltsa_decomposition_coords(const stltsa_decomposition *decomposition,
                                                      const stltsa_out *coords) STLTSA_NOEXCEPT;
-/* The two coordinates of the loop (Fig. 1): samples x 2. Each cyclic segment has coordinates of its
- * own, so the loops of two segments cannot share axes. */
+/* The two coordinates of the loop (Fig. 1): samples x 2, 0 outside cyclic segments. Each of these
+ * has coordinates of its own, so the loops of two segments cannot share axes. */
 STLTSA_API stltsa_status stltsa_decomposition_loop(const stltsa_decomposition *decomposition,
                                                    const stltsa_out *loop) STLTSA_NOEXCEPT;
 /* Why nothing repeats, with the numbers; "" if anything does. */

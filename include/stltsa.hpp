@@ -768,9 +768,7 @@ class Decomposition {
                                          path.c_str()));
     }
     Matrix curve() const { return samples(stltsa_decomposition_curve, 1); }
-    Matrix coords() const {
-        return samples(stltsa_decomposition_coords, info().integer(STLTSA_INFO_DIMENSION));
-    }
+    Matrix coords() const { return samples(stltsa_decomposition_coords, 2); }
     Matrix loop() const { return samples(stltsa_decomposition_loop, 2); }
     std::string reason() const { return stltsa_decomposition_reason(get()); }
     std::vector<std::string> warnings() const {

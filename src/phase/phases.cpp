@@ -104,7 +104,7 @@ void shift_zero(double zero, Phases& phases) {
 }
 
 /// Where the borders lie in phase, on average over the circle: each is where the movement around
-/// it, over half a cycle to each side, is most like that around the others, while phases follow
+/// it, on both sides, is most like that around the others, while phases follow
 /// each part of a cycle; they scatter about each other by 1 % of a cycle. To bend the phases so
 /// that every border has the same one costs: annotated events then scatter by 0.75 % of a cycle
 /// instead of 0.66 % on a treadmill, by 1.17 instead of 1.05 % overground (measure/phase).

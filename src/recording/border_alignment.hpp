@@ -9,7 +9,7 @@
 
 namespace stltsa::recording {
 
-/// Moves each border towards the mean movement around it, half a cycle to each side, and all of
+/// Moves each border towards the mean movement around it, on both sides, and all of
 /// them by nothing on the average. The borders stay inside the rows.
 std::vector<double> align_borders(const Signal& signal, Rows within, std::vector<double> borders,
                                   const std::function<void()>& poll);

@@ -211,13 +211,17 @@ Facts facts_of(const stltsa::Decomposition& result) {
     if (const double period = info.real(STLTSA_INFO_PERIOD); period > 0)
         facts.add("period", fmt::format("{} s, lag quality {:.2f} (1: perfect repetition)",
                                         seconds(period), info.real(STLTSA_INFO_LAG_QUALITY)));
-    if (const std::int64_t coordinate = info.integer(STLTSA_INFO_COORDINATE); coordinate > 0)
+    const std::int64_t coordinate = info.integer(STLTSA_INFO_COORDINATE); // 0: nothing was fitted
+    if (coordinate > 0)
         facts.add("curve", fmt::format("coordinate {} of tangent dimension {}, cyclicity {:.2f} "
                                        "(1: perfect oscillation)",
                                        coordinate, info.integer(STLTSA_INFO_DIMENSION),
                                        info.real(STLTSA_INFO_CYCLICITY)));
     add_gait(result, facts);
-    facts.add("neighbors", neighbors_text(info));
+    if (coordinate > 0)
+        facts.add("neighbors", fmt::format("k = {} and w = {} samples, of which a cycle has 24",
+                                           info.integer(STLTSA_INFO_NEIGHBORS),
+                                           info.integer(STLTSA_INFO_WINDOW)));
     facts.add("samples", samples_text(info));
     facts.add("features", features_text(info));
     if (info.count(STLTSA_INFO_LOCAL_PCA) > 0)

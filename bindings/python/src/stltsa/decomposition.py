@@ -96,9 +96,8 @@ def decompose(motion: Motion, **options: Unpack[Options]) -> Decomposition:
         own. A dataset is one of `movement`; `individual` names one of several in it.
     **options
         Used: `features`, `up_axis`, `gaps`, `least_confidence`, `keep_start`, `sample_rate`,
-        `smoothing`, `period_min`, `period_max`, `neighbors`, `window`, `dimension`, `mode`,
-        `threads`, `fps`, `individual`, `progress`.
-        See :func:`stltsa.options`.
+        `smoothing`, `period_min`, `period_max`, `segments`, `threads`, `fps`, `individual`,
+        `progress`. See :func:`stltsa.options`.
 
     Returns
     -------
@@ -359,7 +358,7 @@ class Decomposition(Described):
 
     @property
     def representative_cycle(self) -> Interval | None:
-        """The cycle chosen by the paper's rule: from the first margin to the third."""
+        """The first cycle of the cyclic segment that lasts longest."""
         return self._cycle("representative")
 
     @property
@@ -544,14 +543,13 @@ class Decomposition(Described):
 
     @property
     def curve(self) -> FloatArray:
-        """The smoothed coordinate from which units and cycles were cut; shape (samples,)."""
+        """The smoothed coordinate whose margins count; 0 outside cycles; shape (samples,)."""
         return self._columns(lib.stltsa_decomposition_curve, 1)[:, 0]
 
     @property
     def coords(self) -> FloatArray:
-        """All coordinates of the fit that was cut, not smoothed; shape (samples, dimension)."""
-        width = self._int("dimension")
-        return self._columns(lib.stltsa_decomposition_coords, width)
+        """The curve and a coordinate a quarter of a cycle behind; shape (samples, 2)."""
+        return self._columns(lib.stltsa_decomposition_coords, 2)
 
     @property
     def loop(self) -> FloatArray:
@@ -580,7 +578,7 @@ class Decomposition(Described):
 
     @property
     def lag_quality(self) -> float:
-        """Similarity of the clip to itself one period later; 1 is perfect."""
+        """Match of the velocities one period apart; 1 is perfect."""
         return self._real("lag_quality")
 
     @property
@@ -590,17 +588,17 @@ class Decomposition(Described):
 
     @property
     def neighbors(self) -> int:
-        """Neighbors (k), in samples."""
+        """Neighbors (k) of the fit, in samples of 24 per cycle."""
         return self._int("neighbors")
 
     @property
     def window(self) -> int:
-        """Window (w), in samples."""
+        """Window (w) of the fit, in samples of 24 per cycle."""
         return self._int("window")
 
     @property
     def dimension(self) -> int:
-        """Tangent dimension."""
+        """Tangent dimension of the fit."""
         return self._int("dimension")
 
     @property

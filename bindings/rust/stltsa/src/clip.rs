@@ -438,8 +438,7 @@ impl Clip {
     ///
     /// A clip without trustworthy cycles is an answer, with a
     /// [reason](crate::Decomposition::reason), not an error. Options used: features, up_axis,
-    /// keep_start, rate, smoothing, period_min, period_max, neighbors, window, dimension, mode,
-    /// threads, progress.
+    /// keep_start, rate, smoothing, period_min, period_max, segments, threads, progress.
     ///
     /// ```
     /// use stltsa::{Clip, Options, UnitKind};

@@ -67,13 +67,13 @@ pub struct DecompositionInfo {
     pub first_frame: usize,
     /// See `first_frame`.
     pub frame_step: usize,
-    /// k, in samples.
+    /// k of the fit, in samples of 24 per cycle.
     pub neighbors: usize,
-    /// w, in samples.
+    /// w of the fit, in samples of 24 per cycle.
     pub window: usize,
-    /// Tangent dimension.
+    /// Tangent dimension of the fit.
     pub dimension: usize,
-    /// Column from which units were cut, counted from 1; `None`: none.
+    /// Coordinate of the fit whose margins count, from 1; `None`: none.
     pub coordinate: Option<usize>,
     /// Features of the fit.
     pub features: Features,
@@ -81,7 +81,7 @@ pub struct DecompositionInfo {
     pub period: Option<f64>,
     /// How well that coordinate repeats once per period; 1: perfect.
     pub cyclicity: f64,
-    /// How well the clip repeats after one period; 1: perfect.
+    /// Match of the velocities one period apart; 1: perfect.
     pub lag_quality: f64,
     /// Working samples per second.
     pub fps: f64,
@@ -287,7 +287,7 @@ impl Decomposition {
         &self.info
     }
 
-    /// The smoothed coordinate from which units were cut, sample by sample.
+    /// The smoothed coordinate whose margins count, sample by sample; 0 outside cyclic segments.
     ///
     /// # Errors
     /// [`NoMemory`](crate::ErrorKind::NoMemory).
@@ -299,13 +299,12 @@ impl Decomposition {
         Ok(curve.into_vec())
     }
 
-    /// All coordinates of the fit that was cut, not smoothed: samples x
-    /// [`dimension`](DecompositionInfo::dimension).
+    /// The curve and a coordinate a quarter of a cycle behind: samples x 2.
     ///
     /// # Errors
     /// [`NoMemory`](crate::ErrorKind::NoMemory).
     pub fn coords(&self) -> Result<Matrix> {
-        Matrix::filled(self.info.samples, self.info.dimension, |out| {
+        Matrix::filled(self.info.samples, 2, |out| {
             // SAFETY: a live handle, an array of the size it says.
             unsafe { sys::stltsa_decomposition_coords(self.raw(), out) }
         })

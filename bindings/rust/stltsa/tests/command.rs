@@ -101,7 +101,7 @@ fn units_cycles_and_curve_are_the_same() {
     let curve = after(&json, "curve");
     assert_eq!(bits(&ours.curve().unwrap()), bits(&numbers(curve, "values")));
     let coords = ours.coords().unwrap();
-    assert_eq!((coords.rows(), coords.cols()), (ours.info().samples, ours.info().dimension));
+    assert_eq!((coords.rows(), coords.cols()), (ours.info().samples, 2));
     let loop_coords = ours.loop_coords().unwrap();
     assert_eq!(bits(loop_coords.as_slice()), bits(&numbers(curve, "loop")));
 }

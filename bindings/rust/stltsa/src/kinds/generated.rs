@@ -15,7 +15,7 @@ kinds! {
         Neighbors = STLTSA_OPT_NEIGHBORS,
         /// `int`: w, frames to each side; auto: as neighbors.
         Window = STLTSA_OPT_WINDOW,
-        /// `int`: d; auto: fit 2, decompose the best of 1 to 3.
+        /// `int`: d; auto: 2.
         Dimension = STLTSA_OPT_DIMENSION,
         /// `int`: STLTSA_MODE_*.
         Mode = STLTSA_OPT_MODE,
@@ -266,7 +266,8 @@ kinds! {
         Exclusion = STLTSA_INFO_EXCLUSION,
         /// `real`: period in seconds; 0: none, or the rate is unknown: see PERIOD_ROWS.
         Period = STLTSA_INFO_PERIOD,
-        /// `real`: 1 - D(T) of the period; 1: perfect, 0: no period.
+        /// `real`: 1 - D(T) of the period; of decompositions, the match of the velocities one
+        /// period apart; 1: perfect, 0: no period.
         LagQuality = STLTSA_INFO_LAG_QUALITY,
         /// `real`: shortest period looked for, in seconds; 0: no search was made.
         PeriodMin = STLTSA_INFO_PERIOD_MIN,
@@ -298,13 +299,13 @@ kinds! {
         Gap = STLTSA_INFO_GAP,
         /// `int`: components of the neighborhood graph.
         Components = STLTSA_INFO_COMPONENTS,
-        /// `int`: 1-based column that was cut; 0: none.
+        /// `int`: 1-based coordinate of the fit whose margins count; 0: none.
         Coordinate = STLTSA_INFO_COORDINATE,
         /// `real`: how well that coordinate repeats once a period; 1: perfect.
         Cyclicity = STLTSA_INFO_CYCLICITY,
-        /// `int`: index of the paper's cycle (first to third candidate); -1: none.
+        /// `int`: index of the first cycle of the cyclic segment that lasts longest; -1: none.
         Representative = STLTSA_INFO_REPRESENTATIVE,
-        /// `int`: index of the cycle most like the others; -1: none.
+        /// `int`: index of the cycle most like the mean cycle of that segment; -1: none.
         Best = STLTSA_INFO_BEST,
         /// `text`: why nothing repeats; empty if anything does.
         Reason = STLTSA_INFO_REASON,
