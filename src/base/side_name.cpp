@@ -89,10 +89,10 @@ bool is_side_letter(std::string_view name, std::size_t at) {
 } // namespace
 
 Side side_of_name(std::string_view name) {
-    Side of_words = Side::none, of_letters = Side::none;
+    Side of_words = Side::neither, of_letters = Side::neither;
     bool words_differ = false, letters_differ = false;
     const auto add = [](Side found, Side& side, bool& differ) {
-        differ = differ || (side != Side::none && side != found);
+        differ = differ || (side != Side::neither && side != found);
         side = found;
     };
     for (const auto& pair : words)
@@ -104,9 +104,9 @@ Side side_of_name(std::string_view name) {
     for (std::size_t at = 0; at < name.size(); ++at)
         if (other_letter(name[at]) != 0 && may_be_side(name, at, false) && is_side_letter(name, at))
             add(side_of_letter(name[at]), of_letters, letters_differ);
-    if (of_words != Side::none)
-        return words_differ ? Side::none : of_words;
-    return letters_differ ? Side::none : of_letters;
+    if (of_words != Side::neither)
+        return words_differ ? Side::neither : of_words;
+    return letters_differ ? Side::neither : of_letters;
 }
 
 std::vector<OtherSide> other_sides(std::string_view name, bool first_letter) {

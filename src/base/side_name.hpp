@@ -7,7 +7,7 @@
 
 namespace stltsa {
 
-enum class Side { none = -1, left = 0, right = 1 };
+enum class Side { neither = -1, left = 0, right = 1 };
 
 /// The side that a name states: left for "left heel strike", "LHS" and "toe_l". None if the name
 /// states neither or both, and for parts of other words, as in "upright" and "rock".
@@ -16,7 +16,7 @@ Side side_of_name(std::string_view name);
 /// A name on the other side of the body.
 struct OtherSide {
     std::string name;
-    Side side = Side::none; ///< of the given name, if this is its partner
+    Side side = Side::neither; ///< of the given name, if this is its partner
 };
 
 /// What a name may be on the other side of the body: "RightFoot" for "LeftFoot", "R_toe" for

@@ -113,7 +113,7 @@ void write_all(std::initializer_list<Wanted> all) {
 
 static_assert(static_cast<int32_t>(Side::left) == STLTSA_SIDE_LEFT &&
               static_cast<int32_t>(Side::right) == STLTSA_SIDE_RIGHT &&
-              static_cast<int32_t>(Side::none) == STLTSA_SIDE_NONE);
+              static_cast<int32_t>(Side::neither) == STLTSA_SIDE_NONE);
 
 int32_t stltsa_side_of_name(const char* name) noexcept {
     return name == nullptr ? STLTSA_SIDE_NONE : static_cast<int32_t>(side_of_name(name));

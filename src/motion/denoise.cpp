@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "ltsa/frames.hpp"
-#include "motion/coordinate.hpp"
 #include "motion/curve/spline.hpp"
 #include "motion/curve/statistics.hpp"
 

@@ -8,7 +8,6 @@
 #include "linalg/gaussian.hpp"
 #include "linalg/simd.hpp"
 #include "ltsa/embed.hpp"
-#include "motion/coordinate.hpp"
 #include "motion/curve/statistics.hpp"
 #include "recording/least_squares.hpp"
 

@@ -7,18 +7,13 @@
 #include "base/numbers.hpp"
 #include "clip/body/skeleton.hpp"
 #include "phase/lag.hpp"
+#include "results/comparison_warnings.hpp"
 #include "results/mirror_image.hpp"
 #include "results/turning.hpp"
 
 namespace stltsa::results {
 namespace {
 
-/// Mean cycles less alike than this are of different motions, as for events.
-constexpr double least_likeness = 0.6;
-/// If the next best alignment is this near, it may be the right one.
-constexpr double doubtful = 0.1;
-/// Bodies differ less than this in size; units differ by a factor of 2.54 or more.
-constexpr double most_size_ratio = 2;
 /// Share of intervals that do not contain the true value.
 constexpr double chance = 0.05;
 
@@ -76,7 +71,7 @@ phase::Resampled kept(const std::vector<bool>& wanted, phase::Resampled cycles,
 }
 
 /// Signals and motion of one clip.
-struct Side {
+struct ComparedClip {
     const Phased& phased;
     const PhasedMotion& motion;
     Matrix signals; ///< common columns, by row
@@ -125,7 +120,7 @@ phase::Lag lag_of(const phase::Resampled& first, const phase::Resampled& second,
 }
 
 /// Turns the second body about `axis`, the up axis of the first, to face as the first does.
-double turn_second(const phase::Resampled& first, clip::Axis axis, Side& second) {
+double turn_second(const phase::Resampled& first, clip::Axis axis, ComparedClip& second) {
     const phase::Resampled other = second.cycles(first.mean.rows());
     const auto up = static_cast<std::int64_t>(axis);
     const Level level{up % 3, (up + 1) % 3, 3};
@@ -191,39 +186,13 @@ void judge(const phase::Estimate& estimate, Comparison& result) {
     result.significant += estimate.significant ? 1 : 0;
 }
 
-void warn_of_few(const std::string& name, std::int64_t cycles, Comparison& result) {
-    if (cycles < 3)
-        result.warnings.push_back(
-            format_text("{}: only {}", name,
-                        cycles == 1 ? "one cycle is complete, so spread and intervals are unknown"
-                                    : "two cycles are complete, so intervals are wide"));
-}
-
-void set_motion(const Side& side, ComparedMotion& motion, Comparison& result) {
+void set_motion(const ComparedClip& side, ComparedMotion& motion, Comparison& result) {
     motion.clip = side.phased.clip;
     motion.label = side.motion.label;
     const std::string name = name_of(side.phased, side.which);
     for (const std::string& warning : side.phased.warnings)
         result.warnings.push_back(format_text("{}: {}", name, warning));
     warn_of_few(name, motion.cycles, result);
-}
-
-void warn_of_likeness(Comparison& result) {
-    if (!(result.likeness >= least_likeness))
-        result.warnings.push_back(format_text(
-            "these seem to be different motions: their mean cycles have a correlation of at most "
-            "{:.2f}, below {}, so 0 % may not be the same moment in both",
-            result.likeness, least_likeness));
-    else if (result.runner_up > result.likeness - doubtful)
-        result.warnings.push_back(format_text(
-            "it is not certain that 0 % is the same moment in both: at another shift the "
-            "correlation of the mean cycles is {:.2f}, nearly the {:.2f} at this one",
-            result.runner_up, result.likeness));
-    if (result.size_ratio > most_size_ratio || result.size_ratio < 1 / most_size_ratio)
-        result.warnings.push_back(format_text(
-            "the second body is {:.3g} times as large as the first: if the units of the "
-            "clips differ, amplitudes and distances cannot be compared",
-            result.size_ratio));
 }
 
 Placement placement(const Phased& first, const CommonColumns& columns) {
@@ -277,7 +246,7 @@ Comparison compared(phase::Resampled one, phase::Resampled other, std::array<dou
 }
 
 /// What is known of the clips besides their cycles.
-void set_clips(const Side& first, const Side& second, Comparison& result) {
+void set_clips(const ComparedClip& first, const ComparedClip& second, Comparison& result) {
     result.features = first.phased.samples.features;
     if (in_space(first.phased) && result.columns.names.size() > 1)
         result.size_ratio = size_of(result.motions[1].mean) / size_of(result.motions[0].mean);
@@ -321,9 +290,10 @@ Comparison compared_with(const Phased& first, const PhasedMotion& motion, const 
                          const PhasedMotion& other, std::int64_t samples, const Poll& poll) {
     CommonColumns columns = common_columns(first, second);
     PacedPoll polls(poll);
-    Side one{first, motion, phase::chosen(first.rows.view(), columns.first, polls), "first", poll};
-    Side two{second, other, phase::chosen(second.rows.view(), columns.second, polls), "second",
-             poll};
+    ComparedClip one{first, motion, phase::chosen(first.rows.view(), columns.first, polls), "first",
+                     poll};
+    ComparedClip two{second, other, phase::chosen(second.rows.view(), columns.second, polls),
+                     "second", poll};
     if (first.samples.features == clip::Features::points && in_space(first) &&
         columns.left_out.size() + columns.other_left_out.size() > 0) {
         center(first, one.signals);
@@ -392,7 +362,7 @@ Comparison compare_left_right(const clip::Clip& clip, const Phased& phased,
     Comparison result =
         compared_sides(cycles(rows_by_frame(phased)), cycles(image), phased.clip.fps,
                        std::move(columns), name_of(phased, "first"), poll_of(progress));
-    const Side side{phased, motion, {}, "first", {}};
+    const ComparedClip side{phased, motion, {}, "first", {}};
     set_clips(side, side, result);
     return result;
 }

@@ -3,9 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
+#include <numeric>
 
 namespace stltsa::motion {
+namespace {
+
+/// Correlation of the coordinate with itself `lag` samples later; each of the two has its own mean.
+double autocorrelation(std::span<const double> u, std::size_t lag) {
+    if (lag + 1 >= u.size())
+        return 0;
+    return correlation(u.first(u.size() - lag), u.subspan(lag));
+}
+
+} // namespace
 
 double quantile(std::span<const double> values, double share) {
     if (values.empty())
@@ -23,6 +33,35 @@ double robust_deviation(std::span<const double> values) {
     std::transform(values.begin(), values.end(), sizes.begin(),
                    [](double value) { return std::abs(value); });
     return 1.4826 * median(sizes);
+}
+
+double correlation(std::span<const double> a, std::span<const double> b) {
+    const std::size_t n = std::min(a.size(), b.size());
+    const auto mean = [n](std::span<const double> values) {
+        return std::accumulate(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(n),
+                               0.0) /
+               static_cast<double>(n);
+    };
+    const double mean_a = n > 1 ? mean(a) : 0, mean_b = n > 1 ? mean(b) : 0;
+    double ab = 0, aa = 0, bb = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        ab += (a[i] - mean_a) * (b[i] - mean_b);
+        aa += (a[i] - mean_a) * (a[i] - mean_a);
+        bb += (b[i] - mean_b) * (b[i] - mean_b);
+    }
+    return n > 1 && aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : 0;
+}
+
+double cyclicity(std::span<const double> coordinate, std::size_t period) {
+    return (autocorrelation(coordinate, period) - autocorrelation(coordinate, period / 2)) / 2;
+}
+
+std::vector<double> column_of(ConstMatrixView matrix, std::int64_t column) {
+    std::vector<double> values;
+    values.reserve(static_cast<std::size_t>(matrix.rows));
+    for (std::int64_t i = 0; i < matrix.rows; ++i)
+        values.push_back(matrix(i, column));
+    return values;
 }
 
 } // namespace stltsa::motion
