@@ -114,21 +114,6 @@ void lag_curve_has_known_values(void**) {
     ASSERT_NEAR(curve[40], 1 - std::cos(turn / 3), 0.02);
 }
 
-void refines_within_an_excerpt(void**) {
-    const double fps = 30;
-    const Matrix walk =
-        sampled(120, 10, fps, [](double t, std::int64_t c) { return cyclic_pose(t / 1.1, c); });
-    const Activity activity = measure_activity(walk.view(), fps);
-    const auto level = activity.levels(0, 120);
-    const auto near = stltsa::motion::refine_period(walk.view(), level, 1.2 * fps, fps);
-    assert_true(near.has_value());
-    ASSERT_NEAR(near->samples / fps, 1.1, 0.005);
-    // The true period is out of range; or the clip is too short.
-    assert_false(stltsa::motion::refine_period(walk.view(), level, 0.8 * fps, fps).has_value());
-    assert_false(
-        stltsa::motion::refine_period(walk.view().block(0, 40), level, 1.1 * fps, fps).has_value());
-}
-
 /// 1.2 periods or 1.2 s, between the required number and the number of distinct frames.
 void period_and_frames_determine_the_neighbors(void**) {
     using stltsa::motion::choose_neighbors;
@@ -154,7 +139,6 @@ int main() {
         cmocka_unit_test(finds_no_period_without_repetition),
         cmocka_unit_test(needs_enough_repetition),
         cmocka_unit_test(lag_curve_has_known_values),
-        cmocka_unit_test(refines_within_an_excerpt),
         cmocka_unit_test(period_and_frames_determine_the_neighbors),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);

@@ -25,8 +25,7 @@ Draft draft(SegmentKind kind, double begin, double end, int label = -1) {
 /// A stretch with one cycle.
 CyclicStretch stretch(double begin, double end) {
     CyclicStretch cut;
-    cut.margins = {{begin, (begin + end) / 2, end}};
-    cut.cycles = {{begin, end}};
+    cut.borders = {begin, end};
     return cut;
 }
 
@@ -69,7 +68,7 @@ void no_motion_continues_over_a_hole(void**) {
     ASSERT_NEAR(drafts[0].gain, 7, 0);
     check_range(drafts[1], cyclic, 95, 175);
     assert_int_equal(drafts[1].stretches.size(), 1);
-    ASSERT_NEAR(drafts[1].stretches[0].first_margin(), 110, 0);
+    ASSERT_NEAR(drafts[1].stretches[0].borders.front(), 110, 0);
     ASSERT_NEAR(drafts[1].gain, 0, 0);
     // What follows has no cycle any more.
     check_range(drafts[2], action, 175, 200);
@@ -181,7 +180,6 @@ void the_outer_repetition_is_taken_from_its_neighbor(void**) {
     std::vector<Draft> drafts{draft(SegmentKind::cyclic, 0, 210), draft(rest, 210, 240),
                               draft(repetitions, 240, 390)};
     drafts[0].stretches = {stretch(60, 90)};
-    drafts[0].stretches[0].margins.push_back({90, 120, 180});
     drafts[2].motions = {{240, 300}, {330, 390}};
     drafts[2].group = 0;
     const std::vector<Draft> given = drafts;
@@ -192,8 +190,6 @@ void the_outer_repetition_is_taken_from_its_neighbor(void**) {
     ASSERT_NEAR(drafts[1].begin, drafts[0].end, 0);
     ASSERT_NEAR(drafts[1].end, 390, 0);
     ASSERT_NEAR(drafts[1].gain, 1, 0);
-    // A margin in the piece is no margin of the walk.
-    assert_true((drafts[0].stretches[0].margins[1] == std::vector<double>{90, 120}));
 
     // After a long pause, or beside the same motion, nothing is taken.
     drafts = given;
@@ -202,6 +198,12 @@ void the_outer_repetition_is_taken_from_its_neighbor(void**) {
     assert_int_equal(drafts.size(), 3);
     drafts = given;
     drafts[1].begin = 100;
+    find_end_repetitions(signal, drafts);
+    assert_int_equal(drafts.size(), 3);
+
+    // Nor is a cycle.
+    drafts = given;
+    drafts[0].stretches[0].borders = {60, 90, 180};
     find_end_repetitions(signal, drafts);
     assert_int_equal(drafts.size(), 3);
 }

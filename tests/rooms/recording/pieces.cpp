@@ -102,25 +102,22 @@ void the_period_is_tracked(void**) {
     assert_true(track_period(none, {0, none.rows()}, {}).stretches.empty());
 }
 
-/// The curve goes on over the chunks without a jump, and a second stretch begins alike.
+/// The curve goes on over the chunks without a jump, and its partner is a quarter behind.
 void the_curve_keeps_phase_and_sign(void**) {
     const Matrix samples = Recorder().cycles(60, 1, 0).samples();
     const Signal signal = make_signal(samples.view(), fps, 0, 0);
-    Stretch stretch{{0, signal.rows()}, {}, 1};
-    stretch.period.assign(static_cast<std::size_t>(signal.rows()), fps);
+    const Rows all{0, signal.rows()};
+    const Stretch stretch{all, std::vector<double>(static_cast<std::size_t>(all.end), fps), 1};
     const Progress none;
     RowProgress progress(none, signal.rows());
-    const PhaseCurve whole = trace_phase(signal, stretch, nullptr, progress);
+    const PhaseCurve whole =
+        trace_phase(signal, grow(signal, stretch, all, progress.poll()), progress);
     assert_true(whole.typical_cyclicity() > 0.95);
-    for (std::size_t i = samples_per_period; i < whole.curve.size(); ++i)
-        ASSERT_NEAR(whole.curve[i], whole.curve[i - samples_per_period], 0.02);
-    stretch.rows.begin = 300;
-    stretch.period.resize(static_cast<std::size_t>(signal.rows() - 300));
-    const PhaseCurve later = trace_phase(signal, stretch, &whole.anchor, progress);
-    double product = 0;
-    for (std::size_t i = 0; i < later.curve.size(); ++i)
-        product += later.curve[i] * whole.curve[i + 10 * samples_per_period];
-    assert_true(product > 0);
+    const auto height = std::ranges::max(whole.curve);
+    for (std::size_t i = samples_per_period; i < whole.curve.size(); ++i) {
+        ASSERT_NEAR(whole.curve[i], whole.curve[i - samples_per_period], 0.02 * height);
+        ASSERT_NEAR(whole.partner[i], whole.curve[i - samples_per_period / 4], 0.2 * height);
+    }
 }
 
 void rests_and_motions_between_them(void**) {
@@ -142,18 +139,18 @@ void cycles_begin_on_one_side(void**) {
     std::vector<double> motion;
     for (int i = 0; i < 200; ++i)
         motion.push_back(std::sin(2 * std::numbers::pi * (i - 10) / 40));
-    CyclicStretch cut;
-    cut.margins = {{20, 40, 60, 80, 100, 120}, {140, 160, 180}};
-    for (double at = 20; at < 100; at += 40)
-        cut.cycles.push_back({at, at + 40});
-    assert_true(sides_alternate(motion, cut));
-    // The motion is positive at 20 and negative at 40; the second sequence has only one cycle.
-    const auto sides = turn_to_side(motion, cut);
-    assert_true((sides == std::vector<int>{0, 0, 1}));
-    ASSERT_NEAR(cut.cycles[0].begin, 40, 0);
-    ASSERT_NEAR(cut.cycles[2].begin, 140, 0);
+    const std::vector<Interval> cycles{{20, 60}, {60, 100}};
+    assert_true(sides_alternate(motion, cycles));
+    // The motion is positive at 20 and negative at 40.
+    assert_int_equal(leading_side(motion, std::vector<double>{20, 60, 100}), 1);
+    assert_int_equal(leading_side(motion, std::vector<double>{40, 80, 120}), 0);
     const std::vector<double> steady(200, 1);
-    assert_false(sides_alternate(steady, cut));
+    assert_false(sides_alternate(steady, cycles));
+    // Both sides move alike, twice in each cycle.
+    std::vector<double> twice;
+    for (int i = 0; i < 200; ++i)
+        twice.push_back(std::sin(2 * std::numbers::pi * (i - 10) / 20));
+    assert_false(sides_alternate(twice, cycles));
 }
 
 /// Each step polls while it works on half an hour, in which the motion changes every ten seconds.

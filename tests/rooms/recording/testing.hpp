@@ -108,8 +108,8 @@ inline void check_curves(const Recording& found) {
             double low = 1e9, high = -1e9;
             for (auto i = static_cast<std::int64_t>(cycle.begin) + 1;
                  static_cast<double>(i) < cycle.end; ++i) {
-                low = std::min(low, found.shown.loop(i, column));
-                high = std::max(high, found.shown.loop(i, column));
+                low = std::min(low, found.curve.coords(i, column));
+                high = std::max(high, found.curve.coords(i, column));
             }
             assert_true(high - low > 0.5 && high - low < 2);
         }

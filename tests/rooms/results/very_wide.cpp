@@ -9,7 +9,6 @@
 #include "linalg/principal.hpp"
 #include "ltsa/neighbors/neighbors.hpp"
 #include "ltsa/parameters.hpp"
-#include "motion/cycles.hpp"
 #include "motion/period.hpp"
 #include "phase/compare.hpp"
 #include "phase/events.hpp"
@@ -64,9 +63,6 @@ void the_search_for_a_period_polls(void**) {
         motion::lag_curve(samples, 1, 1, progress);
         motion::lag_curve(samples, 2, 2, progress);
     });
-    check_polls(4, [&](const Progress& progress, auto) {
-        motion::refine_period(wide().view(), level, period, 30, progress);
-    });
 }
 
 void features_poll(void**) {
@@ -78,9 +74,6 @@ void features_poll(void**) {
 }
 
 void choices_poll(void**) {
-    check_polls(3, [&](const Progress& progress, auto) {
-        motion::most_typical({{0, 10}, {10, 20}, {20, 30}}, wide().view(), progress);
-    });
     check_polls(20, [&](const Progress& progress, auto) {
         results::telling_postures(wide().view(), progress);
     });
@@ -110,7 +103,7 @@ void the_phase_polls(void**) {
     });
     phase::MeanCycle mean;
     check_polls(4 * 2 * 6, [&](auto, const auto& poll) {
-        mean = phase::register_runs(wide().view(), {run}, period, poll).mean;
+        mean = phase::register_runs(wide().view(), {run}, period, phase::smooth_share, poll).mean;
     });
     check_polls(6,
                 [&](auto, const auto& poll) { phase::residuals(wide().view(), mean, run, poll); });
