@@ -212,8 +212,6 @@ enum {
     STLTSA_OPT_POSTURE_LIMIT = 30, /* real synthesize: largest distance of the postures at a seam,
                                       divided by the usual distance between repetitions of a
                                       motion; 0: none */
-    STLTSA_OPT_DIMENSION_ESTIMATE = 31, /* int decompose: 1: also estimate the intrinsic dimension
-                                      of what is embedded (STLTSA_INFO_LOCAL_PCA, _EIGENGAP) */
     STLTSA_OPT_SEGMENTS = 32,    /* int   decompose: number of segments in motion; rests are not
                                       counted; auto: as many as the behavior changes */
     STLTSA_OPT_GAPS = 33,        /* int   STLTSA_GAPS_* */
@@ -426,7 +424,7 @@ enum {
     STLTSA_INFO_GAP = 48,               /* real[] lambda_{d+2} / lambda_{d+1} of each
                                                   component; near 1: the curve is ill-defined */
     STLTSA_INFO_COMPONENTS = 49,        /* int    components of the neighborhood graph */
-    /* Decompositions; EIGENVALUE, LOCAL_PCA and EIGENGAP are facts of a dimension, too. */
+    /* Decompositions; EIGENVALUE is a fact of a dimension, too. */
     STLTSA_INFO_COORDINATE = 60,        /* int    1-based coordinate of the fit whose margins
                                                   count; 0: none */
     STLTSA_INFO_CYCLICITY = 61,         /* real   how well that coordinate repeats once a
@@ -438,13 +436,13 @@ enum {
     STLTSA_INFO_REASON = 64,            /* text   why nothing repeats; empty if anything does */
     STLTSA_INFO_EIGENVALUE = 65,        /* real[] eigenvalues, ascending, the zero one first:
                                                   of B, and of B / k in a dimension */
+    STLTSA_INFO_POSTURES = 68,          /* int[]  frames of up to 24 distinct postures, for
+                                                  pictures; to draw n, take the first n */
+    /* Dimensions. */
     STLTSA_INFO_LOCAL_PCA = 66,         /* int    intrinsic dimension by local PCA; 0: cannot
                                                   tell */
     STLTSA_INFO_EIGENGAP = 67,          /* int    intrinsic dimension by the eigengap; 0:
                                                   cannot tell */
-    STLTSA_INFO_POSTURES = 68,          /* int[]  frames of up to 24 distinct postures, for
-                                                  pictures; to draw n, take the first n */
-    /* Dimensions. */
     STLTSA_INFO_LOCAL_PCA_REASON = 70,  /* text   why local PCA cannot tell; empty if it can */
     STLTSA_INFO_EIGENGAP_REASON = 71,   /* text   why the eigengap cannot tell; empty if it can */
     STLTSA_INFO_VARIANCE = 72,          /* real   share of local variance that local PCA must

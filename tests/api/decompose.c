@@ -117,27 +117,32 @@ static double* new_curve(const stltsa_decomposition* d, int64_t* count) {
     return curve;
 }
 
-static void column_of_the_coordinates_is_the_curve_before_smoothing(void** state) {
+/* The second coordinate is a quarter of a cycle behind: the two go round, and so does the loop. */
+static void the_first_coordinate_is_the_curve(void** state) {
     (void)state;
     stltsa_clip* clip = opened();
     stltsa_decomposition* d = decomposed(clip, NULL);
     int64_t count = 0;
     double* curve = new_curve(d, &count);
-    const int64_t width = get_int(d, STLTSA_INFO_DIMENSION);
-    const int64_t cut = get_int(d, STLTSA_INFO_COORDINATE) - 1;
-    double* coords = new_matrix(count, width);
-    const stltsa_out out = packed_out(coords, count, width);
+    double* coords = new_matrix(count, 2);
+    double* loop = new_matrix(count, 2);
+    const stltsa_out out = packed_out(coords, count, 2), of_loop = packed_out(loop, count, 2);
     must(stltsa_decomposition_coords(d, &out));
-    double size = 0, largest = 0;
+    must(stltsa_decomposition_loop(d, &of_loop));
+    double square = 0, both = 0, second = 0;
     for (int64_t i = 0; i < count; ++i) {
-        size = fmax(size, fabs(curve[i]));
-        largest = fmax(largest, fabs(coords[i * width + cut] - curve[i]));
+        assert_true(coords[2 * i] == curve[i]);
+        assert_true(loop[2 * i] == coords[2 * i] && loop[2 * i + 1] == coords[2 * i + 1]);
+        square += curve[i] * curve[i];
+        second += coords[2 * i + 1] * coords[2 * i + 1];
+        both += curve[i] * coords[2 * i + 1];
     }
-    assert_true(largest > 0);
-    assert_below(largest, 0.2 * size, "coordinate - curve");
-    const stltsa_out wide = packed_out(coords, count - 1, width);
+    assert_true(square > 0 && second > 0.2 * square);
+    assert_below(fabs(both), 0.3 * sqrt(square * second), "correlation of the two");
+    const stltsa_out wide = packed_out(coords, count - 1, 2);
     assert_int_equal(stltsa_decomposition_coords(d, &wide), STLTSA_E_SHAPE);
     assert_int_equal(stltsa_decomposition_coords(NULL, &out), STLTSA_E_ARGUMENT);
+    free(loop);
     free(coords);
     free(curve);
     stltsa_decomposition_free(d);
@@ -154,8 +159,7 @@ static void coordinates_of_a_clip_at_rest_are_zero(void** state) {
     must(stltsa_clip_from_matrix(&in, 30, &clip));
     stltsa_decomposition* d = decomposed(clip, NULL);
     assert_int_equal(get_int(d, STLTSA_INFO_COORDINATE), 0);
-    const int64_t width = get_int(d, STLTSA_INFO_DIMENSION);
-    const int64_t count = get_int(d, STLTSA_INFO_ROWS);
+    const int64_t width = 2, count = get_int(d, STLTSA_INFO_ROWS);
     double* coords = new_matrix(count, width);
     coords[0] = coords[count * width - 1] = 7;
     const stltsa_out out = packed_out(coords, count, width);
@@ -346,28 +350,47 @@ static int32_t only_forward(void* user, int32_t stage, double fraction) {
 static void progress_never_goes_back(void** state) {
     (void)state;
     stltsa_clip* clip = opened();
+    struct way decomposing = {0};
+    stltsa_options* options = NULL;
+    stltsa_decomposition* d = NULL;
+    must(stltsa_options_new(&options));
+    must(stltsa_options_set_progress(options, only_forward, &decomposing));
+    must(stltsa_decompose(clip, options, &d));
+    assert_int_equal(decomposing.stage, STLTSA_STAGE_UNITS);
+    assert_true(decomposing.fraction == 1 && decomposing.calls > 10);
+    stltsa_decomposition_free(d);
     for (int32_t mode = STLTSA_MODE_TEMPORAL; mode <= STLTSA_MODE_RECURRENT; ++mode) {
-        struct way way[3] = {{0}};
-        stltsa_options* options = NULL;
-        stltsa_decomposition* d = NULL;
+        struct way way[2] = {{0}};
         stltsa_model* model = NULL;
         stltsa_dimension* dimension = NULL;
-        must(stltsa_options_new(&options));
         must(stltsa_options_set_int(options, STLTSA_OPT_MODE, mode));
-        must(stltsa_options_set_int(options, STLTSA_OPT_DIMENSION_ESTIMATE, 1));
         must(stltsa_options_set_progress(options, only_forward, &way[0]));
-        must(stltsa_decompose(clip, options, &d));
-        assert_int_equal(way[0].stage, STLTSA_STAGE_UNITS);
-        must(stltsa_options_set_progress(options, only_forward, &way[1]));
         must(stltsa_fit_clip(clip, options, &model));
-        assert_int_equal(way[1].stage, STLTSA_STAGE_SPECTRUM);
-        must(stltsa_options_set_progress(options, only_forward, &way[2]));
+        assert_int_equal(way[0].stage, STLTSA_STAGE_SPECTRUM);
+        must(stltsa_options_set_progress(options, only_forward, &way[1]));
         must(stltsa_estimate_dimension_clip(clip, options, &dimension));
-        for (int i = 0; i < 3; ++i)
+        for (int i = 0; i < 2; ++i)
             assert_true(way[i].fraction == 1 && way[i].calls > 10);
         stltsa_dimension_free(dimension);
         stltsa_model_free(model);
-        stltsa_decomposition_free(d);
+    }
+    stltsa_options_free(options);
+    stltsa_clip_free(clip);
+}
+
+/* They belong to fit, and the text says so. */
+static void options_of_a_fit_are_refused(void** state) {
+    (void)state;
+    stltsa_clip* clip = opened();
+    const int32_t keys[] = {STLTSA_OPT_NEIGHBORS, STLTSA_OPT_WINDOW, STLTSA_OPT_DIMENSION,
+                            STLTSA_OPT_MODE};
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; ++i) {
+        stltsa_options* options = NULL;
+        stltsa_decomposition* d = NULL;
+        must(stltsa_options_new(&options));
+        must(stltsa_options_set_int(options, keys[i], 2));
+        assert_int_equal(stltsa_decompose(clip, options, &d), STLTSA_E_ARGUMENT);
+        assert_non_null(strstr(stltsa_last_error(), "belongs to fit"));
         stltsa_options_free(options);
     }
     stltsa_clip_free(clip);
@@ -378,16 +401,14 @@ static int32_t stop_in_search(void* user, int32_t stage, double fraction) {
     return stage == STLTSA_STAGE_NEIGHBORS && fraction > 0.2 && fraction < 0.3;
 }
 
-/* The longest loop before the fit, lags times frames. */
+/* The longest loop before the fit, lags times frames. A decomposition has one stage for all. */
 static void the_search_for_the_period_can_be_cancelled(void** state) {
     (void)state;
     stltsa_clip* clip = opened();
     stltsa_options* options = NULL;
-    stltsa_decomposition* d = NULL;
     stltsa_model* model = NULL;
     must(stltsa_options_new(&options));
     must(stltsa_options_set_progress(options, stop_in_search, NULL));
-    assert_int_equal(stltsa_decompose(clip, options, &d), STLTSA_E_CANCELLED);
     assert_int_equal(stltsa_fit_clip(clip, options, &model), STLTSA_E_CANCELLED);
     stltsa_options_free(options);
     stltsa_clip_free(clip);
@@ -469,7 +490,7 @@ int main(int argc, char** argv) {
         cmocka_unit_test(five_units_in_order),
         cmocka_unit_test(three_cycles_back_to_back),
         cmocka_unit_test(postures_differ),
-        cmocka_unit_test(column_of_the_coordinates_is_the_curve_before_smoothing),
+        cmocka_unit_test(the_first_coordinate_is_the_curve),
         cmocka_unit_test(coordinates_of_a_clip_at_rest_are_zero),
         cmocka_unit_test(threads_change_no_bit),
         cmocka_unit_test(shift_and_order_of_channels_change_no_unit),
@@ -478,6 +499,7 @@ int main(int argc, char** argv) {
         cmocka_unit_test(a_cut_is_no_standing),
         cmocka_unit_test(cancelled_at_every_call),
         cmocka_unit_test(progress_never_goes_back),
+        cmocka_unit_test(options_of_a_fit_are_refused),
         cmocka_unit_test(the_search_for_the_period_can_be_cancelled),
         cmocka_unit_test(wrong_arguments),
         cmocka_unit_test(options_that_leave_nothing),

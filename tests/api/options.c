@@ -12,11 +12,14 @@ static stltsa_option_info describe(int64_t index) {
 
 static void every_option_is_described_and_holds_its_default(void** state) {
     (void)state;
-    assert_int_equal(stltsa_option_count(), STLTSA_OPT_IN_PLACE);
+    assert_int_equal(stltsa_option_count(),
+                     STLTSA_OPT_IN_PLACE - 1); /* no option has the value 31 */
+    int32_t before = 0;
     for (int64_t i = 0; i < stltsa_option_count(); ++i) {
         const stltsa_option_info info = describe(i);
         assert_true(info.calls > 0 && info.calls < 2 * STLTSA_CALL_SYNTHESIZE);
-        assert_int_equal(info.key, i + 1);
+        assert_int_equal(info.key, before == 30 ? 32 : before + 1);
+        before = info.key;
         assert_true(strlen(info.name) > 1);
         assert_true(strlen(info.text) > 15 && info.text[strlen(info.text) - 1] == '.');
         assert_int_equal(stltsa_options_is_set(NULL, info.key), 0);

@@ -373,7 +373,7 @@ void a_clip_is_cut_into_units_and_cycles(void**) {
     assert_int_equal(found.loop().rows, samples);
     assert_int_equal(found.loop().cols, 2);
     assert_int_equal(found.coords().rows, samples);
-    assert_int_equal(found.coords().cols, found.info().integer(STLTSA_INFO_DIMENSION));
+    assert_int_equal(found.coords().cols, 2);
     assert_string_equal(found.reason().c_str(), "");
     assert_true(is_object(found.json(), "decomposition", 2));
 }

@@ -347,8 +347,6 @@ FACTS = {
         "embedding.tangent_dimension": lambda h: h["dimension"],
         "embedding.coordinate": lambda h: positive(h["coordinate"]),
         "embedding.cyclicity": lambda h: h["cyclicity"],
-        "intrinsic_dimension.local_pca": lambda h: positive(h["local_pca"]),
-        "intrinsic_dimension.eigengap": lambda h: positive(h["eigengap"]),
         **PERIOD,
         "lag_quality": lambda h: h["lag_quality"],
         **below("segments", SEGMENTS),

@@ -147,14 +147,6 @@ class Batch(CommandTest):
         self.assertIn("0 decomposed, 3 kept from before, 1 failed", text)
         self.assertIn("\n  clips/bad.bvh  line 1: a BVH file must begin", text)
 
-    def test_a_length_in_seconds_that_a_clip_cannot_have(self):
-        """Only that clip fails."""
-        line = ("batch", "clips", "--out", self.out, "--neighbors", "1s")
-        self.assertEqual(run(*line, cwd=self.folder).returncode, 5)
-        status = {row["path"]: row["status"] for row in self.summary()}
-        self.assertEqual(status["clips/more/swing, noisy.csv"], "STLTSA_E_ARGUMENT")
-        self.assertEqual(status["clips/walk.bvh"], "done")
-
     def test_a_folder_of_results_that_cannot_be_written(self):
         full = self.folder / "out"
         full.mkdir()

@@ -105,7 +105,7 @@ class Compare(CommandTest):
         one = swings("one.csv")
         first = one.read_text().splitlines()
         short = self.folder / "short.csv"
-        short.write_text("\n".join(first[:230]) + "\n")
+        short.write_text("\n".join(first[:170]) + "\n")
         found = self.json("compare", short, short, "--fps", "100")
         self.assertEqual((found["first"]["cycles"], found["judged"], found["significant"]), (1, 0, 0))
 

@@ -75,7 +75,7 @@ class Facts(unittest.TestCase):
         recurrent_ = self.handle("model", "fit_clip", clip.pointer, self.options(mode=3, links=3))
         of_notes = self.handle("model", "fit_clip", noted.pointer, none)
         units = self.handle("decomposition", "decompose", clip.pointer,
-                            self.options(mode=3, dimension_estimate=1))
+                            none)
         cycles = [(i.begin, i.end) for i in units.rows("cycle", Interval())]
         pieces = (Piece * 2)(*(Piece(clip.pointer, begin, end, 2, 0) for begin, end in cycles[:2]))
         short = Piece(clip.pointer, cycles[0][0], cycles[0][1] - 20, 2, 0)

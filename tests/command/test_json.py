@@ -58,16 +58,6 @@ class Schemas(CommandTest):
             with self.subTest(command):
                 self.assertIsNone(self.check(command, circle())["clip"]["fps"])
 
-    def test_dimension_of_units_is_that_of_dimension(self):
-        for tangents in ("auto", "1", "3"):
-            alone = self.check("dimension", walk(), "--dimension", tangents)
-            self.assertIsNone(
-                self.check("decompose", walk(), "--dimension", tangents)["intrinsic_dimension"])
-            beside = self.check("decompose", walk(), "--dimension", tangents,
-                                "--dimension-estimate")
-            self.assertEqual(beside["intrinsic_dimension"],
-                             {key: alone[key]["dimension"] for key in ("local_pca", "eigengap")})
-
     def test_auto_is_the_default(self):
         line = ("fit", walk(), "--json")
         words = ("neighbors", "window", "dimension", "threads", "features", "up-axis", "fps",
@@ -80,7 +70,7 @@ class Schemas(CommandTest):
         self.check("fit", circle(), "--mode", "spatial", "--neighbors", "10")
         self.check("fit", cut(), "--neighbors", "5", "--window", "8", status=4)
         self.check("dimension", walk(), "--variance", "0.9", "--eigengap", "0.2")
-        self.check("decompose", walk(), "--features", "euler", "--dimension", "2", "--sample-rate", "0")
+        self.check("decompose", walk(), "--features", "euler", "--sample-rate", "0")
         self.check("decompose", walk(), "--curve")
         self.check("decompose", drift(), "--fps", "30")
         self.check("denoise", walk(), "--curve", "--gamma", "0.01", "--knot-spacing", "0.2", "--no-robust")

@@ -146,15 +146,14 @@ class Page(Pages):
         """What the page shows as commands: the name, the flags, and the frames of the file."""
         label = f"{walk()}:A"
         data = self.data(self.page(label, "--fps", "90", "--keep-start", "--features", "euler",
-                                   "--period-max", "2.5", "--dimension-estimate", "--variance", "0.9",
-                                   "--threads", "1"))
+                                   "--period-max", "2.5", "--segments", "1", "--threads", "1"))
         source = data["source"]
         self.assertEqual(source["name"], label)
         flags = " --features euler --keep-start --fps 90 --period-max 2.5"
         self.assertEqual(source["flags"]["events"], flags)
         self.events(source, data["decomposition"]["cycles"][0]["begin"] + 10)  # the command takes them
         self.assertEqual(sorted(source["flags"]["decompose"].split(" --")),
-                         sorted([*flags.split(" --"), "dimension-estimate", "variance 0.9"]))
+                         sorted([*flags.split(" --"), "segments 1"]))
         self.assertEqual(source["flags"]["synthesize"], " --fps 90")
         ((begin, end),) = source["pieces"]
         data = self.data(self.page(label))

@@ -273,7 +273,7 @@ class Synthesize(CommandTest):
         message = self.fails(1, "synthesize", circle(), "-o", self.folder / "x.csv", "--fps", "30")
         self.assertIn("skeleton", message)
         reason = self.fails(4, "synthesize", f"{drift()}:best", "-o", out, "--fps", "30")
-        self.assertIn("no period", reason)
+        self.assertIn("does not repeat at any lag", reason)
         self.assertFalse(out.exists())
 
 

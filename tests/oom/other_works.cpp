@@ -213,16 +213,14 @@ stltsa_status read_parts(const std::string&) {
     stltsa_statistics statistics{};
     stltsa_summary summary{};
     stltsa_interval interval{};
-    std::int64_t samples = 0, dimension = 0;
+    std::int64_t samples = 0;
     char* json = nullptr;
     calls.make([&] { return stltsa_decomposition_json(parts, &json); }, json);
     note(json);
     stltsa_free(json);
     read_facts(calls, info);
     calls.make([&] { return stltsa_info_int(info, STLTSA_INFO_ROWS, 0, &samples); });
-    calls.make([&] { return stltsa_info_int(info, STLTSA_INFO_DIMENSION, 0, &dimension); });
-    const stltsa_out curve = out(samples, 1), coords = out(samples, dimension),
-                     loop = out(samples, 2);
+    const stltsa_out curve = out(samples, 1), coords = out(samples, 2), loop = out(samples, 2);
     calls.make([&] { return stltsa_decomposition_curve(parts, &curve); });
     calls.make([&] { return stltsa_decomposition_coords(parts, &coords); });
     calls.make([&] { return stltsa_decomposition_loop(parts, &loop); });

@@ -59,10 +59,6 @@ bool has_option(Command command, const stltsa::OptionInfo& option) {
         return false;
     if (command == Command::batch && option.key == STLTSA_OPT_THREADS)
         return false; // --jobs
-    if ((command == Command::events || command == Command::compare) &&
-        (option.key == STLTSA_OPT_DIMENSION_ESTIMATE || option.key == STLTSA_OPT_EIGENGAP ||
-         option.key == STLTSA_OPT_VARIANCE))
-        return false;
     if (command == Command::synthesize &&
         (option.key == STLTSA_OPT_PERIOD_MIN || option.key == STLTSA_OPT_PERIOD_MAX))
         return true;
@@ -71,10 +67,6 @@ bool has_option(Command command, const stltsa::OptionInfo& option) {
 
 /// The text of an option, without what it does in other commands.
 std::string text_of(Command command, const stltsa::OptionInfo& option) {
-    if (option.key == STLTSA_OPT_DIMENSION)
-        return (calls_of(command) & STLTSA_CALL_DECOMPOSE) != 0
-                   ? "Tangent dimension (d); auto: the best of 1 to 3."
-                   : "Tangent dimension, the number of coordinates (d); auto: 2.";
     if (option.key == STLTSA_OPT_FPS)
         return command == Command::unmap
                    ? "Points per second; auto: the rate of the coordinates, or the model's."

@@ -150,15 +150,6 @@ std::string travel_table(const stltsa::Decomposition& result) {
            left_out(result.part_count(STLTSA_PART_STEP), "steps");
 }
 
-std::string dimension_text(const stltsa::Info& info) {
-    const auto estimate = [&](std::int32_t key) {
-        const std::int64_t value = info.integer(key);
-        return value == 0 ? std::string("undetermined") : std::to_string(value);
-    };
-    return fmt::format("{} (local PCA), {} (eigengap)", estimate(STLTSA_INFO_LOCAL_PCA),
-                       estimate(STLTSA_INFO_EIGENGAP));
-}
-
 /// The label of most cycles; empty: there are none.
 std::optional<std::int32_t> main_label(const stltsa::Decomposition& result) {
     std::optional<std::int32_t> label;
@@ -224,8 +215,6 @@ Facts facts_of(const stltsa::Decomposition& result) {
                                            info.integer(STLTSA_INFO_WINDOW)));
     facts.add("samples", samples_text(info));
     facts.add("features", features_text(info));
-    if (info.count(STLTSA_INFO_LOCAL_PCA) > 0)
-        facts.add("dimension", dimension_text(info));
     return facts;
 }
 

@@ -125,14 +125,13 @@ function stretchWords(begin, end) {
 // Flags of a command for the options with which the clip was read; text files need their rate.
 const flagWords = command => flags[command] + (["csv", "npy"].includes(clip.format) && clip.fps && !flags[command].includes(" --fps ") ? " --fps " + +fps.toPrecision(9) : "");
 function makeDetails() {
-  const p = found.parameters, samples = found.samples, e = found.embedding || {}, intrinsic = found.intrinsic_dimension;
+  const p = found.parameters, samples = found.samples, e = found.embedding || {};
   const values = (e.eigenvalues || []).filter(v => v !== null), isFitted = values.length > 0;
   const noFit = "none: there are no cycles";
   const list = [["Features", `${clip.features}, ${plural(samples.feature_count, "column")}`], ["Samples", `${samples.count} at ${number(samples.fps, 4)} per second, smoothed over ${number(samples.smoothing_s)} s`],
     ["Neighbors", isFitted ? `${p.neighbors}, ${p.mode}, window ${p.window}, in samples of which a cycle has 24` : noFit], ["Dimension of the tangents", isFitted ? p.dimension : noFit], ["Range of the period search", `${number(p.period_min_s)} to ${number(p.period_max_s)} s`],
     ["Period", found.period_s ? number(found.period_s) + " s" : "none"], ["Residual of the eigenvectors", isFitted ? number(data.accuracy.residual) + " (largest ‖Bu − λu‖ / k)" : noFit],
     ["Estimated error of the subspace", !isFitted ? noFit : data.accuracy.error_estimate === null ? "unknown" : number(data.accuracy.error_estimate) + " rad (largest angle)"], ["Regularity of the curve", e.cyclicity ? number(e.cyclicity) + " (1: perfect)" : "–"], ["Up axis", samples.up_axis || "–"],
-    ["Intrinsic dimension", intrinsic ? `${intrinsic.local_pca || "cannot tell"} by local PCA, ${intrinsic.eigengap || "cannot tell"} by the eigengap` : "not asked for (--dimension-estimate)"],
     ["Library", "libstltsa " + found.library], ["File", clip.path || "none (from memory)"], ["Checksum of the data", "CRC-32 " + data.checksum]];
   const again = data.command || (clip.path ? `stltsa decompose ${clipWord()}${flagWords("decompose")} --report ${shellWord(stem() + ".html")}` : "");
   byId("details").append(element("dl", {}, ...list.flatMap(([term, value]) => [element("dt", {}, term), element("dd", {}, String(value))])),

@@ -212,8 +212,6 @@ enum {
     STLTSA_OPT_POSTURE_LIMIT = 30, /* real synthesize: largest distance of the postures at a seam,
                                       divided by the usual distance between repetitions of a
                                       motion; 0: none */
-    STLTSA_OPT_DIMENSION_ESTIMATE = 31, /* int decompose: 1: also estimate the intrinsic dimension
-                                      of what is embedded (STLTSA_INFO_LOCAL_PCA, _EIGENGAP) */
     STLTSA_OPT_SEGMENTS = 32,    /* int   decompose: number of segments in motion; rests are not
                                       counted; auto: as many as the behavior changes */
     STLTSA_OPT_GAPS = 33,        /* int   STLTSA_GAPS_* */

@@ -48,7 +48,6 @@ class Keywords(TypedDict, total=False):
     crossfade: float | Seconds | Auto | None
     cut_range: float | Seconds | Auto | None
     posture_limit: float
-    dimension_estimate: bool
     segments: int | Auto | None
     gaps: Gaps
     least_confidence: float

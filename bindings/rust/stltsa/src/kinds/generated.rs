@@ -85,9 +85,6 @@ kinds! {
         /// `real`: synthesize: largest distance of the postures at a seam, divided by the usual
         /// distance between repetitions of a motion; 0: none.
         PostureLimit = STLTSA_OPT_POSTURE_LIMIT,
-        /// `int`: decompose: 1: also estimate the intrinsic dimension of what is embedded
-        /// (STLTSA_INFO_LOCAL_PCA, _EIGENGAP).
-        DimensionEstimate = STLTSA_OPT_DIMENSION_ESTIMATE,
         /// `int`: decompose: number of segments in motion; rests are not counted; auto: as many as
         /// the behavior changes.
         Segments = STLTSA_OPT_SEGMENTS,
@@ -311,13 +308,13 @@ kinds! {
         Reason = STLTSA_INFO_REASON,
         /// `real[]`: eigenvalues, ascending, the zero one first: of B, and of B / k in a dimension.
         Eigenvalue = STLTSA_INFO_EIGENVALUE,
+        /// `int[]`: frames of up to 24 distinct postures, for pictures; to draw n, take the first
+        /// n.
+        Postures = STLTSA_INFO_POSTURES,
         /// `int`: intrinsic dimension by local PCA; 0: cannot tell.
         LocalPca = STLTSA_INFO_LOCAL_PCA,
         /// `int`: intrinsic dimension by the eigengap; 0: cannot tell.
         Eigengap = STLTSA_INFO_EIGENGAP,
-        /// `int[]`: frames of up to 24 distinct postures, for pictures; to draw n, take the first
-        /// n.
-        Postures = STLTSA_INFO_POSTURES,
         /// `text`: why local PCA cannot tell; empty if it can.
         LocalPcaReason = STLTSA_INFO_LOCAL_PCA_REASON,
         /// `text`: why the eigengap cannot tell; empty if it can.

@@ -16,7 +16,7 @@ impl Options {
         self.with(sys::STLTSA_OPT_WINDOW, int(value))
     }
 
-    /// Tangent dimension, the number of coordinates (d); auto: fit 2, decompose the best of 1 to 3.
+    /// Tangent dimension, the number of coordinates (d); auto: 2.
     #[must_use]
     pub fn dimension(self, value: usize) -> Self {
         self.with(sys::STLTSA_OPT_DIMENSION, int(value))
@@ -196,12 +196,6 @@ impl Options {
     #[must_use]
     pub fn posture_limit(self, value: f64) -> Self {
         self.with(sys::STLTSA_OPT_POSTURE_LIMIT, Value::Real(value))
-    }
-
-    /// Also estimate the intrinsic dimension of the embedded part.
-    #[must_use]
-    pub fn dimension_estimate(self, value: bool) -> Self {
-        self.with(sys::STLTSA_OPT_DIMENSION_ESTIMATE, Value::Int(value.into()))
     }
 
     /// Number of segments in motion, without rests; auto: as many as the behavior changes.
