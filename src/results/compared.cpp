@@ -14,6 +14,9 @@
 namespace stltsa::results {
 namespace {
 
+/// Samples of a lag that are only rounding: any other shift than 0 makes the last sample of a cycle
+/// the first one, and a motion differ from itself.
+constexpr double rounded_lag = 1e-9;
 /// Share of intervals that do not contain the true value.
 constexpr double chance = 0.05;
 
@@ -304,7 +307,7 @@ Comparison compared_with(const Phased& first, const PhasedMotion& motion, const 
         headings_differ(first, second) ? turn_second(of_one, first.samples.up, two) : 0;
     const phase::Lag lag = lag_of(of_one, two.cycles(samples), poll);
     const double zero =
-        std::isnan(lag.samples) ? 0 : lag.samples / static_cast<double>(samples - 1);
+        std::abs(lag.samples) > rounded_lag ? lag.samples / static_cast<double>(samples - 1) : 0;
     Comparison result =
         compared(std::move(of_one), two.cycles(samples, zero), {first.clip.fps, second.clip.fps},
                  std::move(columns), false, poll);

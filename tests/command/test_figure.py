@@ -356,7 +356,8 @@ class Figure(CommandTest):
     def test_no_curve_where_nothing_was_fitted(self):
         root = self.figure("decompose", many_cycles())  # it stands before and after
         self.assertEqual(len(self.of_class(root, "no-curve")), 2)
-        self.assertEqual(self.of_class(self.figure("decompose", walk()), "no-curve"), [])
+        moving = self.figure("decompose", circle(), "--fps", "30")
+        self.assertEqual(self.of_class(moving, "no-curve"), [])
 
     def test_seams(self):
         """One strip per kind of cut, with its postures across the seam, in order."""

@@ -204,7 +204,9 @@ void a_swaying_body_rests(void**) {
     check_cover(found, samples);
 }
 
-/// A crop has the cycles of the whole recording, though its curve may have the other sign.
+/// A crop has the cycles of the whole recording, though its curve may have the other sign. If the
+/// choice of the place would cost a cycle, they begin elsewhere: 39 turns and 0.36 of one leave
+/// this much room, and half of what is left is the farthest from the margin.
 void cycles_of_a_crop_begin_at_the_same_half(void**) {
     Matrix samples = Recorder().cycles(60, 1.1, 0).samples();
     for (std::int64_t i = 0; i < samples.rows(); ++i)
@@ -212,12 +214,12 @@ void cycles_of_a_crop_begin_at_the_same_half(void**) {
     const Recording whole = answer(samples);
     for (const std::int64_t first : {7, 16, 24}) {
         const Recording crop = analyze(samples.view().block(first, 1300), fps, {}, Progress());
-        assert_true(crop.cycles.size() >= 36);
+        assert_int_equal(crop.cycles.size(), 39);
         for (const Cycle& cycle : crop.cycles) {
             const double begin = cycle.begin + static_cast<double>(first);
             const auto distance = [&](const Cycle& other) { return std::abs(other.begin - begin); };
             const auto same = std::ranges::min_element(whole.cycles, {}, distance);
-            ASSERT_NEAR(same->begin, begin, 3);
+            ASSERT_NEAR(same->begin, begin, first == 7 ? 1 : 0.33 * 1.1 * fps);
         }
     }
 }

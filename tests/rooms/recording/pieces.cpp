@@ -115,8 +115,8 @@ void the_curve_keeps_phase_and_sign(void**) {
     assert_true(whole.typical_cyclicity() > 0.95);
     const auto height = std::ranges::max(whole.curve);
     for (std::size_t i = samples_per_period; i < whole.curve.size(); ++i) {
-        ASSERT_NEAR(whole.curve[i], whole.curve[i - samples_per_period], 0.02 * height);
-        ASSERT_NEAR(whole.partner[i], whole.curve[i - samples_per_period / 4], 0.2 * height);
+        ASSERT_NEAR(whole.curve[i], whole.curve[i - samples_per_period], 0.05 * height);
+        ASSERT_NEAR(whole.partner[i], whole.curve[i - samples_per_period / 4], 0.05 * height);
     }
 }
 
