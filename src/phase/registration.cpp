@@ -91,8 +91,7 @@ Pull pull_to(ConstMatrixView rows, const Loop& loop, const Run& run, const Sprea
     std::vector<double> counts(mean.size(), 1);
     for (std::int64_t i = 0; i < run.rows(); ++i) {
         const double phase = run.phase[static_cast<std::size_t>(i)];
-        loop.at(phase, mean.data());
-        loop.slope(phase, slope.data());
+        loop.at(phase, mean.data(), slope.data());
         const double* row = rows.row(run.begin + i);
         weigh_columns(row, mean, spread, counts);
         const double along = sum_of(rows.cols, [&](std::int64_t c) {
