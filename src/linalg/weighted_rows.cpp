@@ -6,11 +6,13 @@
 namespace stltsa {
 namespace {
 
+/// With `centered`, of the rows minus a center.
+template <bool centered>
 struct WeightedRows {
     ConstMatrixView rows;
     const double* weights;
     std::int64_t step;
-    const double* center; ///< subtracted from each row; may be null
+    const double* center;
     double* out;
 
     template <int W>
@@ -29,16 +31,21 @@ struct WeightedRows {
     template <class P, int width, int count>
     STLTSA_INLINE void add(std::int64_t c) const {
         constexpr int each = width / count;
-        P sum[count], middle[count];
+        P sum[count];
+        [[maybe_unused]] P middle[count];
         for (int k = 0; k < count; ++k) {
             sum[k] = load<P>(out + c + k * each);
-            middle[k] = center != nullptr ? load<P>(center + c + k * each) : P{};
+            if constexpr (centered)
+                middle[k] = load<P>(center + c + k * each);
         }
         for (std::int64_t r = 0; r < rows.rows; ++r) {
             const double weight = weights[r * step];
             const double* row = rows.row(r) + c;
             for (int k = 0; k < count; ++k)
-                sum[k] += weight * (load<P>(row + k * each) - middle[k]);
+                if constexpr (centered)
+                    sum[k] += weight * (load<P>(row + k * each) - middle[k]);
+                else
+                    sum[k] += weight * load<P>(row + k * each);
         }
         for (int k = 0; k < count; ++k)
             store(sum[k], out + c + k * each);
@@ -48,12 +55,12 @@ struct WeightedRows {
 } // namespace
 
 void add_weighted(ConstMatrixView rows, const double* weights, std::int64_t step, double* out) {
-    run_simd(widest_simd(), WeightedRows{rows, weights, step, nullptr, out});
+    run_simd(widest_simd(), WeightedRows<false>{rows, weights, step, nullptr, out});
 }
 
 void add_weighted_differences(ConstMatrixView rows, const double* center, const double* weights,
                               double* out) {
-    run_simd(widest_simd(), WeightedRows{rows, weights, 1, center, out});
+    run_simd(widest_simd(), WeightedRows<true>{rows, weights, 1, center, out});
 }
 
 } // namespace stltsa
