@@ -21,8 +21,6 @@ constexpr std::int64_t most_harmonics = 12;
 
 /// So many rows are added to the normal equations at once.
 constexpr std::int64_t rows_at_once = 32;
-/// So many columns are solved at once, because to solve all would need a copy of all coefficients.
-constexpr std::int64_t columns_at_once = 4096;
 
 /// 1, cos(2 pi h phase), sin(2 pi h phase); by the addition theorem, since cosines and sines are
 /// most of the time of a registration.
@@ -142,17 +140,14 @@ Loop fit_loop(ConstMatrixView rows, std::span<const Run> runs, std::int64_t harm
     }
     if (!system.factor(0))
         fail(Status::internal, "the mean cycle of {} rows has no fit", count);
+    Matrix inverse(terms, terms); // symmetric and small, whereas there may be many columns
+    for (std::int64_t r = 0; r < terms; ++r)
+        inverse(r, r) = 1;
+    system.solve(inverse.view(), {});
     Loop loop{Matrix(terms, rows.cols)};
-    for (std::int64_t first = 0; first < rows.cols; first += columns_at_once) {
-        Matrix columns(std::min(columns_at_once, rows.cols - first), terms);
-        for (std::int64_t r = 0; r < terms; ++r)
-            for (std::int64_t j = 0; j < columns.rows(); ++j)
-                columns(j, r) = right(r, first + j);
-        system.solve(columns.view(), {});
-        for (std::int64_t r = 0; r < terms; ++r)
-            for (std::int64_t j = 0; j < columns.rows(); ++j)
-                loop.coefficients(r, first + j) = columns(j, r);
-        polls.did(columns.rows() * terms * terms);
+    for (std::int64_t r = 0; r < terms; ++r) {
+        add_weighted(right.view(), inverse.row(r), 1, loop.coefficients.row(r));
+        polls.did(terms * rows.cols);
     }
     return loop;
 }

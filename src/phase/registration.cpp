@@ -7,7 +7,6 @@
 
 #include "base/numbers.hpp"
 #include "base/progress.hpp"
-#include "linalg/band.hpp"
 #include "linalg/simd.hpp"
 #include "motion/curve/extrema.hpp"
 #include "motion/curve/statistics.hpp"
@@ -111,28 +110,51 @@ Pull pull_to(ConstMatrixView rows, const Loop& loop, const Run& run, const Sprea
     return pull;
 }
 
-/// Minimizes sum weight (x - target)^2 + stiffness sum (second difference of x)^2.
+/// Minimizes sum weight (x - target)^2 + stiffness sum (second difference of x)^2, by a Cholesky
+/// factor L D L^T of the five diagonals, for which calls of LAPACK cost more than the arithmetic.
 std::vector<double> smoothed(const std::vector<double>& weight, std::vector<double> target,
                              double stiffness) {
-    const auto n = static_cast<std::int64_t>(target.size());
-    BandMatrix system(n, 2);
-    for (std::int64_t j = 0; j < n; ++j) {
-        double* column = system.column(j);
-        column[0] = weight[static_cast<std::size_t>(j)];
-        column[1] = column[2] = 0;
-        target[static_cast<std::size_t>(j)] *= weight[static_cast<std::size_t>(j)];
+    const std::size_t n = target.size();
+    struct Row {
+        double diagonal, first, second; ///< of D, and of the column of L below it
+    };
+    std::vector<Row> rows(n);
+    for (std::size_t j = 0; j < n; ++j) {
+        rows[j].diagonal = weight[j];
+        target[j] *= weight[j];
     }
-    for (std::int64_t j = 0; j + 2 < n; ++j) {
-        system.column(j)[0] += stiffness;
-        system.column(j)[1] -= 2 * stiffness;
-        system.column(j)[2] += stiffness;
-        system.column(j + 1)[0] += 4 * stiffness;
-        system.column(j + 1)[1] -= 2 * stiffness;
-        system.column(j + 2)[0] += stiffness;
+    for (std::size_t j = 0; j + 2 < n; ++j) {
+        rows[j].diagonal += stiffness;
+        rows[j].first -= 2 * stiffness;
+        rows[j].second += stiffness;
+        rows[j + 1].diagonal += 4 * stiffness;
+        rows[j + 1].first -= 2 * stiffness;
+        rows[j + 2].diagonal += stiffness;
     }
-    if (!system.factor(0))
-        return {};
-    system.solve({target.data(), 1, n, n}, {});
+    for (std::size_t j = 0; j < n; ++j) {
+        Row& row = rows[j];
+        if (!(row.diagonal > 0))
+            return {};
+        const double first = row.first, second = row.second;
+        row.first /= row.diagonal;
+        row.second /= row.diagonal;
+        if (j + 1 < n) {
+            rows[j + 1].diagonal -= first * row.first;
+            rows[j + 1].first -= first * row.second;
+            target[j + 1] -= row.first * target[j];
+        }
+        if (j + 2 < n) {
+            rows[j + 2].diagonal -= second * row.second;
+            target[j + 2] -= row.second * target[j];
+        }
+    }
+    for (std::size_t j = n; j-- > 0;) {
+        target[j] /= rows[j].diagonal;
+        if (j + 1 < n)
+            target[j] -= rows[j].first * target[j + 1];
+        if (j + 2 < n)
+            target[j] -= rows[j].second * target[j + 2];
+    }
     return target;
 }
 
