@@ -67,18 +67,29 @@ std::int64_t work_of_row(const std::vector<double>& weights, std::int64_t cols) 
     return static_cast<std::int64_t>(weights.size()) * cols;
 }
 
+/// Every `step`-th row.
+void smooth_rows(ConstMatrixView rows, const std::vector<double>& weights, Beyond beyond,
+                 std::int64_t step, const std::function<void()>& poll, MatrixView smoothed) {
+    PacedPoll polls(poll);
+    const std::int64_t work = work_of_row(weights, rows.cols);
+    for (std::int64_t i = 0; i < smoothed.rows; ++i) {
+        smooth_row(rows, i * step, weights, beyond, smoothed.row(i));
+        polls.did(work);
+    }
+}
+
 } // namespace
+
+void smooth_to(MatrixView smoothed, ConstMatrixView rows, double sigma, Beyond beyond,
+               const std::function<void()>& poll) {
+    smooth_rows(rows, kernel(sigma, rows.rows), beyond, 1, poll, smoothed);
+}
 
 Matrix gaussian_smoothed(ConstMatrixView rows, double sigma, Beyond beyond, std::int64_t step,
                          const std::function<void()>& poll) {
     const std::vector<double> weights = kernel(sigma, rows.rows);
     Matrix result = Matrix::unset((rows.rows + step - 1) / step, rows.cols);
-    PacedPoll polls(poll);
-    const std::int64_t work = work_of_row(weights, rows.cols);
-    for (std::int64_t i = 0; i < result.rows(); ++i) {
-        smooth_row(rows, i * step, weights, beyond, result.row(i));
-        polls.did(work);
-    }
+    smooth_rows(rows, weights, beyond, step, poll, result.view());
     return result;
 }
 

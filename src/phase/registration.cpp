@@ -335,13 +335,6 @@ Registration register_runs(ConstMatrixView rows, std::vector<Run> runs, double p
     }
     result.runs = runs_of(all);
     result.mean.loop = fit_loop(rows, result.runs, harmonics, poll);
-    double squares = 0, count = 0;
-    for (const Run& run : result.runs)
-        for (const double distance : residuals(rows, result.mean, run, poll)) {
-            squares += distance * distance;
-            ++count;
-        }
-    result.residual = squares / count;
     return result;
 }
 

@@ -26,8 +26,6 @@ struct MeanCycle {
 struct Registration {
     MeanCycle mean;
     std::vector<Run> runs; ///< strictly rising; shifted, but not reordered
-    /// Mean squared distance of the rows from the mean cycle, as a share of the variance.
-    double residual = 0;
 };
 
 /// Registers runs of whole cycles with each other. `runs`: linear time between the borders of
