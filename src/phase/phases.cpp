@@ -157,7 +157,7 @@ double mean_square(const std::vector<std::vector<double>>& all) {
 /// Phases that begin as `runs`.
 Phases registered(ConstMatrixView both, std::vector<Run> runs, double period,
                   const std::function<void()>& poll) {
-    Registration found = register_runs(both, runs, period, smooth_share, poll);
+    Registration found = register_runs(both, runs, period, smooth_share, nearly_settled, poll);
     Phases phases;
     phases.mean = std::move(found.mean);
     phases.runs = std::move(found.runs);

@@ -15,7 +15,7 @@ namespace stltsa::phase {
 namespace {
 
 /// Rounds of mean cycle and phases: 3 give what 20 give.
-constexpr int rounds = 4;
+constexpr int most_rounds = 4;
 /// A round moves no phase further.
 constexpr double most_correction = 0.1;
 /// Least step, as a share of the mean one.
@@ -193,6 +193,14 @@ struct Moving {
     }
 };
 
+/// How far the phases moved at most.
+double moved(const Run& from, const Run& to) {
+    double most = 0;
+    for (std::size_t i = 0; i < from.phase.size(); ++i)
+        most = std::max(most, std::abs(to.phase[i] - from.phase[i]));
+    return most;
+}
+
 double mean_weight(const std::vector<Pull>& pulls) {
     double sum = 0, count = 0;
     for (const Pull& pull : pulls) {
@@ -284,12 +292,15 @@ double rate_at(const std::vector<double>& phase, bool at_end, double period) {
 }
 
 Run registered(ConstMatrixView rows, const MeanCycle& mean, Run run, double slowest, double smooth,
-               const Spread& spread, const std::function<void()>& poll) {
+               double settled, const Spread& spread, const std::function<void()>& poll) {
     Moving moving(std::move(run));
-    for (int round = 0; round < rounds; ++round) {
+    for (int round = 0; round < most_rounds; ++round) {
+        const Run before = moving.run;
         const Pull pull = pull_to(rows, mean.loop, moving.run, spread, poll);
         moving.follow(pull, stiffness_of(mean_weight({pull}), smooth * mean.period),
                       slowest / mean.period);
+        if (moved(before, moving.run) < settled)
+            break;
     }
     return moving.run;
 }
@@ -302,7 +313,7 @@ void settle(ConstMatrixView rows, const MeanCycle& mean, const Spread& spread, b
     const std::int64_t first = at_end ? run.rows() - count : 0;
     const auto begin = run.phase.begin() + first;
     const Run moved = registered(rows, mean, {run.begin + first, {begin, begin + count}},
-                                 slowest_beyond, smooth_share, spread, poll);
+                                 slowest_beyond, smooth_share, nearly_settled, spread, poll);
     for (std::int64_t i = 0; i < count; ++i) {
         const double place =
             static_cast<double>(i) / static_cast<double>(std::max<std::int64_t>(1, count - 1));
@@ -315,7 +326,7 @@ void settle(ConstMatrixView rows, const MeanCycle& mean, const Spread& spread, b
 } // namespace
 
 Registration register_runs(ConstMatrixView rows, std::vector<Run> runs, double period,
-                           double smooth, const std::function<void()>& poll) {
+                           double smooth, double settled, const std::function<void()>& poll) {
     Registration result;
     result.mean.period = period;
     result.mean.variance = variance_of(rows, runs, poll);
@@ -323,8 +334,9 @@ Registration register_runs(ConstMatrixView rows, std::vector<Run> runs, double p
     std::vector<Moving> all;
     for (Run& run : runs)
         all.emplace_back(std::move(run));
-    for (int round = 0; round < rounds; ++round) {
-        const Loop loop = fit_loop(rows, runs_of(all), harmonics, poll);
+    for (int round = 0; round < most_rounds; ++round) {
+        const std::vector<Run> before = runs_of(all);
+        const Loop loop = fit_loop(rows, before, harmonics, poll);
         std::vector<Pull> pulls;
         for (const Moving& moving : all)
             pulls.push_back(pull_to(rows, loop, moving.run, {}, poll));
@@ -332,6 +344,11 @@ Registration register_runs(ConstMatrixView rows, std::vector<Run> runs, double p
         for (std::size_t r = 0; r < all.size(); ++r)
             all[r].follow(pulls[r], stiffness, slowest_in_cycle / period);
         even_out(all);
+        double most = 0;
+        for (std::size_t r = 0; r < all.size(); ++r)
+            most = std::max(most, moved(before[r], all[r].run));
+        if (most < settled)
+            break;
     }
     result.runs = runs_of(all);
     result.mean.loop = fit_loop(rows, result.runs, harmonics, poll);
@@ -340,7 +357,7 @@ Registration register_runs(ConstMatrixView rows, std::vector<Run> runs, double p
 
 Run register_with(ConstMatrixView rows, const MeanCycle& mean, Run run, double slowest,
                   double smooth, const std::function<void()>& poll) {
-    return registered(rows, mean, std::move(run), slowest, smooth, {}, poll);
+    return registered(rows, mean, std::move(run), slowest, smooth, 0, {}, poll);
 }
 
 Run continued(const Run& run, double period, Range within) {

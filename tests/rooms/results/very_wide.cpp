@@ -110,7 +110,8 @@ void the_phase_polls(void**) {
     });
     phase::MeanCycle mean;
     check_polls(4 * 2 * 6, [&](auto, const auto& poll) {
-        mean = phase::register_runs(wide().view(), {run}, period, poll).mean;
+        mean =
+            phase::register_runs(wide().view(), {run}, period, phase::smooth_share, 0, poll).mean;
     });
     check_polls(6,
                 [&](auto, const auto& poll) { phase::residuals(wide().view(), mean, run, poll); });
