@@ -6,23 +6,31 @@
 #include <vector>
 
 #include "base/progress.hpp"
+#include "linalg/weighted_rows.hpp"
 
 namespace stltsa {
 namespace {
 
-/// Half of the kernel from its center on; only the weight 1 without smoothing.
-std::vector<double> half_kernel(double sigma, std::int64_t rows) {
-    std::vector<double> weights{1};
+/// From one end to the other; only the weight 1 without smoothing.
+std::vector<double> kernel(double sigma, std::int64_t rows) {
     const double reach = std::min(4 * sigma, static_cast<double>(rows - 1));
-    for (int i = 1; i <= reach; ++i)
-        weights.push_back(std::exp(-0.5 * (i / sigma) * (i / sigma)));
+    const auto whole = std::max<std::int64_t>(0, static_cast<std::int64_t>(reach));
+    std::vector<double> weights;
+    for (std::int64_t i = -whole; i <= whole; ++i) {
+        const double place = i == 0 ? 0 : static_cast<double>(i) / sigma;
+        weights.push_back(std::exp(-0.5 * place * place));
+    }
     return weights;
 }
 
-/// Adds the weighted difference of row `r` from `center`; rows beyond an end are reflections
+std::int64_t reach_of(const std::vector<double>& weights) {
+    return static_cast<std::int64_t>(weights.size()) / 2;
+}
+
+/// Adds the weighted difference of row `r` from `center`, which lies beyond an end: a reflection
 /// through the end row.
-void add_difference(ConstMatrixView rows, std::int64_t r, const double* center, double weight,
-                    double* out) {
+void add_reflected(ConstMatrixView rows, std::int64_t r, const double* center, double weight,
+                   double* out) {
     const std::int64_t end = std::clamp<std::int64_t>(r, 0, rows.rows - 1);
     const double* at_end = rows.row(end);
     const double* reflected = rows.row(2 * end - r);
@@ -34,46 +42,62 @@ void add_difference(ConstMatrixView rows, std::int64_t r, const double* center, 
 void smooth_row(ConstMatrixView rows, std::int64_t middle, const std::vector<double>& weights,
                 Beyond beyond, double* out) {
     const bool reflect = beyond == Beyond::reflection;
-    const auto reach = static_cast<std::int64_t>(weights.size()) - 1;
-    const std::int64_t begin = middle - reach, end = middle + reach + 1;
+    const std::int64_t begin = middle - reach_of(weights), end = middle + reach_of(weights) + 1;
+    const std::int64_t first = std::max<std::int64_t>(0, begin), last = std::min(rows.rows, end);
+    const auto weight = [&](std::int64_t r) {
+        return weights[static_cast<std::size_t>(r - begin)];
+    };
     const double* center = rows.row(middle);
     std::fill_n(out, rows.cols, 0.0);
+    for (std::int64_t r = begin; reflect && r < first; ++r)
+        add_reflected(rows, r, center, weight(r), out);
+    add_weighted_differences(rows.block(first, last - first), center,
+                             weights.data() + (first - begin), out);
+    for (std::int64_t r = last; reflect && r < end; ++r)
+        add_reflected(rows, r, center, weight(r), out);
     double total = 0;
-    for (std::int64_t r = reflect ? begin : std::max<std::int64_t>(0, begin);
-         r < (reflect ? end : std::min(rows.rows, end)); ++r) {
-        const double weight = weights[static_cast<std::size_t>(std::abs(r - middle))];
-        add_difference(rows, r, center, weight, out);
-        total += weight;
-    }
+    for (std::int64_t r = reflect ? begin : first; r < (reflect ? end : last); ++r)
+        total += weight(r);
     for (std::int64_t c = 0; c < rows.cols; ++c)
         out[c] = center[c] + out[c] / total;
 }
 
 /// For PacedPoll.
 std::int64_t work_of_row(const std::vector<double>& weights, std::int64_t cols) {
-    return 2 * static_cast<std::int64_t>(weights.size()) * cols;
+    return static_cast<std::int64_t>(weights.size()) * cols;
+}
+
+/// Every `step`-th row.
+void smooth_rows(ConstMatrixView rows, const std::vector<double>& weights, Beyond beyond,
+                 std::int64_t step, const std::function<void()>& poll, MatrixView smoothed) {
+    PacedPoll polls(poll);
+    const std::int64_t work = work_of_row(weights, rows.cols);
+    for (std::int64_t i = 0; i < smoothed.rows; ++i) {
+        smooth_row(rows, i * step, weights, beyond, smoothed.row(i));
+        polls.did(work);
+    }
 }
 
 } // namespace
 
+void smooth_to(MatrixView smoothed, ConstMatrixView rows, double sigma, Beyond beyond,
+               const std::function<void()>& poll) {
+    smooth_rows(rows, kernel(sigma, rows.rows), beyond, 1, poll, smoothed);
+}
+
 Matrix gaussian_smoothed(ConstMatrixView rows, double sigma, Beyond beyond, std::int64_t step,
                          const std::function<void()>& poll) {
-    const std::vector<double> weights = half_kernel(sigma, rows.rows);
+    const std::vector<double> weights = kernel(sigma, rows.rows);
     Matrix result = Matrix::unset((rows.rows + step - 1) / step, rows.cols);
-    PacedPoll polls(poll);
-    const std::int64_t work = work_of_row(weights, rows.cols);
-    for (std::int64_t i = 0; i < result.rows(); ++i) {
-        smooth_row(rows, i * step, weights, beyond, result.row(i));
-        polls.did(work);
-    }
+    smooth_rows(rows, weights, beyond, step, poll, result.view());
     return result;
 }
 
 void smooth_in_place(Matrix& rows, double sigma, Beyond beyond, const std::function<void()>& poll) {
-    const std::vector<double> weights = half_kernel(sigma, rows.rows());
+    const std::vector<double> weights = kernel(sigma, rows.rows());
     PacedPoll polls(poll);
     const std::int64_t work = work_of_row(weights, rows.cols());
-    const auto reach = static_cast<std::int64_t>(weights.size()) - 1;
+    const std::int64_t reach = reach_of(weights);
     const std::int64_t block = std::max<std::int64_t>(4096, reach);
     Matrix before; // the original rows that the next block needs
     for (std::int64_t begin = 0; begin < rows.rows(); begin += block) {

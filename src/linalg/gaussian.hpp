@@ -20,6 +20,10 @@ enum class Beyond {
 Matrix gaussian_smoothed(ConstMatrixView rows, double sigma, Beyond beyond, std::int64_t step = 1,
                          const std::function<void()>& poll = {});
 
+/// Every row, into a matrix of others.
+void smooth_to(MatrixView smoothed, ConstMatrixView rows, double sigma, Beyond beyond,
+               const std::function<void()>& poll = {});
+
 /// The same without a second matrix of that size.
 void smooth_in_place(Matrix& rows, double sigma, Beyond beyond,
                      const std::function<void()>& poll = {});

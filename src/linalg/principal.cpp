@@ -6,6 +6,7 @@
 #include "base/progress.hpp"
 #include "linalg/eigen.hpp"
 #include "linalg/simd.hpp"
+#include "linalg/weighted_rows.hpp"
 
 namespace stltsa {
 
@@ -20,12 +21,19 @@ std::vector<double> column_means(ConstMatrixView rows, const std::function<void(
 }
 
 void set_covariance(ConstMatrixView centered, double* matrix) {
+    constexpr std::int64_t rows_at_once = 32;
     const std::int64_t p = centered.cols;
     std::fill_n(matrix, p * p, 0.0);
-    for (std::int64_t i = 0; i < centered.rows; ++i)
+    Matrix shares(rows_at_once, p);
+    for (std::int64_t i = 0; i < centered.rows; i += rows_at_once) {
+        const ConstMatrixView block = centered.block(i, std::min(rows_at_once, centered.rows - i));
+        for (std::int64_t r = 0; r < block.rows; ++r)
+            for (std::int64_t c = 0; c < p; ++c)
+                shares(r, c) = block(r, c) / static_cast<double>(centered.rows);
         for (std::int64_t c = 0; c < p; ++c)
-            axpy(centered(i, c) / static_cast<double>(centered.rows), centered.row(i) + c,
-                 matrix + c * p + c, p - c);
+            add_weighted({block.data + c, block.rows, p - c, block.stride}, shares.data() + c, p,
+                         matrix + c * p + c);
+    }
 }
 
 PrincipalDirections principal_directions(ConstMatrixView centered, std::int64_t most) {

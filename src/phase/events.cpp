@@ -115,10 +115,10 @@ Rows weights_of(const std::vector<Matrix>& windows, const Matrix& about,
     return weights;
 }
 
-double cost_of(const Matrix& values, const Template& like) {
+double cost_of(ConstMatrixView values, const Template& like) {
     double cost = 0;
-    for (std::int64_t r = 0; r < values.rows(); ++r)
-        cost += sum_of(values.cols(), [&](std::int64_t c) {
+    for (std::int64_t r = 0; r < values.rows; ++r)
+        cost += sum_of(values.cols, [&](std::int64_t c) {
             const double off = values(r, c) - like.values(r, c);
             return like.weights[static_cast<std::size_t>(c)] * off * off;
         });
@@ -147,10 +147,18 @@ double refined(const Searched& in, double row, const Template& like, const Rows&
     if (in.poll)
         in.poll();
     PacedPoll polls(in.poll);
+    // Windows overlap: offsets are whole places.
+    const auto count = static_cast<std::int64_t>((end - begin) * places + 0.5) + 1;
+    const std::int64_t step =
+        offsets.size() < 2 ? 1 : std::llround((offsets[1] - offsets[0]) * places);
+    Matrix strip = Matrix::unset(count + (std::ssize(offsets) - 1) * step, in.fine.cols());
+    for (std::int64_t i = 0; i < strip.rows(); ++i)
+        in.fine.at(begin + offsets.front() + static_cast<double>(i) / places, strip.row(i));
     Rows costs;
-    for (double at = begin; at <= end + 0.5 / places; at += 1 / places) {
-        costs.push_back(cost_of(window(in.fine, at, offsets), like));
-        polls.did(4 * std::ssize(offsets) * in.fine.cols());
+    for (std::int64_t i = 0; i < count; ++i) {
+        costs.push_back(
+            cost_of({strip.row(i), std::ssize(offsets), strip.cols(), step * strip.cols()}, like));
+        polls.did(std::ssize(offsets) * strip.cols());
     }
     return begin + lowest(costs) / places;
 }
@@ -398,7 +406,8 @@ std::vector<Event> find_events(const Searched& from, const Place& marks, const S
     const auto steps = static_cast<int>(std::lround(common_reach / common_step));
     for (int s = -steps; s <= steps; ++s)
         costs.push_back(cost_of(
-            group_window(in, candidates, group, s * common_step * in.mean.period, scaled), like));
+            group_window(in, candidates, group, s * common_step * in.mean.period, scaled).view(),
+            like));
     shift(group, (lowest(costs) - steps) * common_step * in.mean.period);
     const double doubt = doubt_of(from, marks);
     const double least =

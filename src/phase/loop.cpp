@@ -8,6 +8,7 @@
 #include "base/progress.hpp"
 #include "linalg/band.hpp"
 #include "linalg/simd.hpp"
+#include "linalg/weighted_rows.hpp"
 
 namespace stltsa::phase {
 namespace {
@@ -18,8 +19,8 @@ constexpr double ridge = 1e-3;
 constexpr std::int64_t least_harmonics = 3;
 constexpr std::int64_t most_harmonics = 12;
 
-/// So many columns are solved at once, because to solve all would need a copy of all coefficients.
-constexpr std::int64_t columns_at_once = 4096;
+/// So many rows are added to the normal equations at once.
+constexpr std::int64_t rows_at_once = 32;
 
 /// 1, cos(2 pi h phase), sin(2 pi h phase); by the addition theorem, since cosines and sines are
 /// most of the time of a registration.
@@ -35,8 +36,8 @@ void basis(double phase, std::int64_t harmonics, double* values) {
     }
 }
 
-void basis_slope(double phase, std::int64_t harmonics, double* values) {
-    basis(phase, harmonics, values);
+/// From the basis to its derivative by the phase.
+void differentiate(std::int64_t harmonics, double* values) {
     values[0] = 0;
     for (std::int64_t h = 1; h <= harmonics; ++h) {
         const double k = turn * static_cast<double>(h), cosine = values[h];
@@ -47,8 +48,7 @@ void basis_slope(double phase, std::int64_t harmonics, double* values) {
 
 void combine(const Matrix& coefficients, const double* weights, double* values) {
     std::fill_n(values, coefficients.cols(), 0.0);
-    for (std::int64_t r = 0; r < coefficients.rows(); ++r)
-        axpy(weights[r], coefficients.row(r), values, coefficients.cols());
+    add_weighted(coefficients.view(), weights, 1, values);
 }
 
 } // namespace
@@ -59,10 +59,12 @@ void Loop::at(double phase, double* values) const {
     combine(coefficients, weights, values);
 }
 
-void Loop::slope(double phase, double* values) const {
+void Loop::at(double phase, double* values, double* slope) const {
     double weights[2 * most_harmonics + 1];
-    basis_slope(phase, harmonics(), weights);
+    basis(phase, harmonics(), weights);
     combine(coefficients, weights, values);
+    differentiate(harmonics(), weights);
+    combine(coefficients, weights, slope);
 }
 
 void Loop::shift(double zero) {
@@ -114,17 +116,19 @@ Loop fit_loop(ConstMatrixView rows, std::span<const Run> runs, std::int64_t harm
     PacedPoll polls(poll);
     const std::int64_t terms = 2 * harmonics + 1;
     Matrix normal(terms, terms), right(terms, rows.cols);
-    std::vector<double> b(static_cast<std::size_t>(terms));
+    Matrix b(rows_at_once, terms);
     double count = 0;
     for (const Run& run : runs)
-        for (std::int64_t i = 0; i < run.rows(); ++i, ++count) {
-            basis(run.phase[static_cast<std::size_t>(i)], harmonics, b.data());
+        for (std::int64_t i = 0; i < run.rows(); i += rows_at_once) {
+            const std::int64_t block = std::min(rows_at_once, run.rows() - i);
+            for (std::int64_t k = 0; k < block; ++k)
+                basis(run.phase[static_cast<std::size_t>(i + k)], harmonics, b.row(k));
             for (std::int64_t r = 0; r < terms; ++r) {
-                const double value = b[static_cast<std::size_t>(r)];
-                axpy(value, b.data(), normal.row(r), r + 1);
-                axpy(value, rows.row(run.begin + i), right.row(r), rows.cols);
-                polls.did(rows.cols);
+                add_weighted({b.data(), block, r + 1, terms}, b.data() + r, terms, normal.row(r));
+                add_weighted(rows.block(run.begin + i, block), b.data() + r, terms, right.row(r));
+                polls.did(block * rows.cols);
             }
+            count += static_cast<double>(block);
         }
     BandMatrix system(terms, terms - 1);
     for (std::int64_t j = 0; j < terms; ++j)
@@ -136,17 +140,14 @@ Loop fit_loop(ConstMatrixView rows, std::span<const Run> runs, std::int64_t harm
     }
     if (!system.factor(0))
         fail(Status::internal, "the mean cycle of {} rows has no fit", count);
+    Matrix inverse(terms, terms); // symmetric and small, whereas there may be many columns
+    for (std::int64_t r = 0; r < terms; ++r)
+        inverse(r, r) = 1;
+    system.solve(inverse.view(), {});
     Loop loop{Matrix(terms, rows.cols)};
-    for (std::int64_t first = 0; first < rows.cols; first += columns_at_once) {
-        Matrix columns(std::min(columns_at_once, rows.cols - first), terms);
-        for (std::int64_t r = 0; r < terms; ++r)
-            for (std::int64_t j = 0; j < columns.rows(); ++j)
-                columns(j, r) = right(r, first + j);
-        system.solve(columns.view(), {});
-        for (std::int64_t r = 0; r < terms; ++r)
-            for (std::int64_t j = 0; j < columns.rows(); ++j)
-                loop.coefficients(r, first + j) = columns(j, r);
-        polls.did(columns.rows() * terms * terms);
+    for (std::int64_t r = 0; r < terms; ++r) {
+        add_weighted(right.view(), inverse.row(r), 1, loop.coefficients.row(r));
+        polls.did(terms * rows.cols);
     }
     return loop;
 }

@@ -19,8 +19,8 @@ struct Loop {
     std::int64_t cols() const { return coefficients.cols(); }
     std::int64_t harmonics() const { return (coefficients.rows() - 1) / 2; }
     void at(double phase, double* values) const;
-    /// Derivative by the phase, per turn.
-    void slope(double phase, double* values) const;
+    /// Also the derivative by the phase, per turn.
+    void at(double phase, double* values, double* slope) const;
     /// The same curve with its phase 0 at what was phase `zero`.
     void shift(double zero);
     /// Values at `count` even phases from 0 on.

@@ -135,17 +135,40 @@ std::vector<Run> linear_runs(std::span<const Borders> sequences, std::int64_t ro
     return runs;
 }
 
+std::vector<std::vector<double>> distances_of(ConstMatrixView both, const MeanCycle& mean,
+                                              const std::vector<Run>& runs,
+                                              const std::function<void()>& poll) {
+    std::vector<std::vector<double>> distances;
+    for (const Run& run : runs)
+        distances.push_back(residuals(both, mean, run, poll));
+    return distances;
+}
+
+double mean_square(const std::vector<std::vector<double>>& all) {
+    double squares = 0, count = 0;
+    for (const std::vector<double>& some : all)
+        for (const double each : some) {
+            squares += each * each;
+            ++count;
+        }
+    return squares / count;
+}
+
 /// Phases that begin as `runs`.
 Phases registered(ConstMatrixView both, std::vector<Run> runs, double period,
                   const std::function<void()>& poll) {
-    Registration found = register_runs(both, runs, period, smooth_share, poll);
+    Registration found = register_runs(both, runs, period, smooth_share, nearly_settled, poll);
     Phases phases;
     phases.mean = std::move(found.mean);
-    phases.residual = found.residual;
-    phases.linear = found.residual > most_residual;
-    phases.runs = phases.linear ? std::move(runs) : std::move(found.runs);
-    if (phases.linear)
+    phases.runs = std::move(found.runs);
+    phases.distances = distances_of(both, phases.mean, phases.runs, poll);
+    phases.residual = mean_square(phases.distances);
+    phases.linear = phases.residual > most_residual;
+    if (phases.linear) {
+        phases.runs = std::move(runs);
         phases.mean.loop = fit_loop(both, phases.runs, harmonics_for(period), poll);
+        phases.distances = distances_of(both, phases.mean, phases.runs, poll);
+    }
     return phases;
 }
 

@@ -22,8 +22,10 @@ struct Phases {
     MeanCycle mean;
     std::vector<Run> runs; ///< one for each sequence of cycles, from its first to its last border
     bool linear = false;   ///< the mean cycle explains too little: phases are linear in time
-    double residual = 0;   ///< see Registration
-    bool cyclic = true;    ///< else runs are repetitions with pauses, one turn each
+    /// Mean squared distance of the rows from the mean cycle, as a share of the variance.
+    double residual = 0;
+    std::vector<std::vector<double>> distances; ///< of each run: residuals()
+    bool cyclic = true; ///< else runs are repetitions with pauses, one turn each
     /// The phase, in [0, 1), at which the body is at the same place in every recording, wherever
     /// its cycles begin; 0 of repetitions.
     double zero = 0;

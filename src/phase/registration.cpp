@@ -7,7 +7,6 @@
 
 #include "base/numbers.hpp"
 #include "base/progress.hpp"
-#include "linalg/band.hpp"
 #include "linalg/simd.hpp"
 #include "motion/curve/extrema.hpp"
 #include "motion/curve/statistics.hpp"
@@ -16,7 +15,7 @@ namespace stltsa::phase {
 namespace {
 
 /// Rounds of mean cycle and phases: 3 give what 20 give.
-constexpr int rounds = 4;
+constexpr int most_rounds = 4;
 /// A round moves no phase further.
 constexpr double most_correction = 0.1;
 /// Least step, as a share of the mean one.
@@ -91,8 +90,7 @@ Pull pull_to(ConstMatrixView rows, const Loop& loop, const Run& run, const Sprea
     std::vector<double> counts(mean.size(), 1);
     for (std::int64_t i = 0; i < run.rows(); ++i) {
         const double phase = run.phase[static_cast<std::size_t>(i)];
-        loop.at(phase, mean.data());
-        loop.slope(phase, slope.data());
+        loop.at(phase, mean.data(), slope.data());
         const double* row = rows.row(run.begin + i);
         weigh_columns(row, mean, spread, counts);
         const double along = sum_of(rows.cols, [&](std::int64_t c) {
@@ -112,28 +110,51 @@ Pull pull_to(ConstMatrixView rows, const Loop& loop, const Run& run, const Sprea
     return pull;
 }
 
-/// Minimizes sum weight (x - target)^2 + stiffness sum (second difference of x)^2.
+/// Minimizes sum weight (x - target)^2 + stiffness sum (second difference of x)^2, by a Cholesky
+/// factor L D L^T of the five diagonals, for which calls of LAPACK cost more than the arithmetic.
 std::vector<double> smoothed(const std::vector<double>& weight, std::vector<double> target,
                              double stiffness) {
-    const auto n = static_cast<std::int64_t>(target.size());
-    BandMatrix system(n, 2);
-    for (std::int64_t j = 0; j < n; ++j) {
-        double* column = system.column(j);
-        column[0] = weight[static_cast<std::size_t>(j)];
-        column[1] = column[2] = 0;
-        target[static_cast<std::size_t>(j)] *= weight[static_cast<std::size_t>(j)];
+    const std::size_t n = target.size();
+    struct Row {
+        double diagonal, first, second; ///< of D, and of the column of L below it
+    };
+    std::vector<Row> rows(n);
+    for (std::size_t j = 0; j < n; ++j) {
+        rows[j].diagonal = weight[j];
+        target[j] *= weight[j];
     }
-    for (std::int64_t j = 0; j + 2 < n; ++j) {
-        system.column(j)[0] += stiffness;
-        system.column(j)[1] -= 2 * stiffness;
-        system.column(j)[2] += stiffness;
-        system.column(j + 1)[0] += 4 * stiffness;
-        system.column(j + 1)[1] -= 2 * stiffness;
-        system.column(j + 2)[0] += stiffness;
+    for (std::size_t j = 0; j + 2 < n; ++j) {
+        rows[j].diagonal += stiffness;
+        rows[j].first -= 2 * stiffness;
+        rows[j].second += stiffness;
+        rows[j + 1].diagonal += 4 * stiffness;
+        rows[j + 1].first -= 2 * stiffness;
+        rows[j + 2].diagonal += stiffness;
     }
-    if (!system.factor(0))
-        return {};
-    system.solve({target.data(), 1, n, n}, {});
+    for (std::size_t j = 0; j < n; ++j) {
+        Row& row = rows[j];
+        if (!(row.diagonal > 0))
+            return {};
+        const double first = row.first, second = row.second;
+        row.first /= row.diagonal;
+        row.second /= row.diagonal;
+        if (j + 1 < n) {
+            rows[j + 1].diagonal -= first * row.first;
+            rows[j + 1].first -= first * row.second;
+            target[j + 1] -= row.first * target[j];
+        }
+        if (j + 2 < n) {
+            rows[j + 2].diagonal -= second * row.second;
+            target[j + 2] -= row.second * target[j];
+        }
+    }
+    for (std::size_t j = n; j-- > 0;) {
+        target[j] /= rows[j].diagonal;
+        if (j + 1 < n)
+            target[j] -= rows[j].first * target[j + 1];
+        if (j + 2 < n)
+            target[j] -= rows[j].second * target[j + 2];
+    }
     return target;
 }
 
@@ -171,6 +192,14 @@ struct Moving {
         make_rise(run.phase, least_step);
     }
 };
+
+/// How far the phases moved at most.
+double moved(const Run& from, const Run& to) {
+    double most = 0;
+    for (std::size_t i = 0; i < from.phase.size(); ++i)
+        most = std::max(most, std::abs(to.phase[i] - from.phase[i]));
+    return most;
+}
 
 double mean_weight(const std::vector<Pull>& pulls) {
     double sum = 0, count = 0;
@@ -263,12 +292,15 @@ double rate_at(const std::vector<double>& phase, bool at_end, double period) {
 }
 
 Run registered(ConstMatrixView rows, const MeanCycle& mean, Run run, double slowest, double smooth,
-               const Spread& spread, const std::function<void()>& poll) {
+               double settled, const Spread& spread, const std::function<void()>& poll) {
     Moving moving(std::move(run));
-    for (int round = 0; round < rounds; ++round) {
+    for (int round = 0; round < most_rounds; ++round) {
+        const Run before = moving.run;
         const Pull pull = pull_to(rows, mean.loop, moving.run, spread, poll);
         moving.follow(pull, stiffness_of(mean_weight({pull}), smooth * mean.period),
                       slowest / mean.period);
+        if (moved(before, moving.run) < settled)
+            break;
     }
     return moving.run;
 }
@@ -281,7 +313,7 @@ void settle(ConstMatrixView rows, const MeanCycle& mean, const Spread& spread, b
     const std::int64_t first = at_end ? run.rows() - count : 0;
     const auto begin = run.phase.begin() + first;
     const Run moved = registered(rows, mean, {run.begin + first, {begin, begin + count}},
-                                 slowest_beyond, smooth_share, spread, poll);
+                                 slowest_beyond, smooth_share, nearly_settled, spread, poll);
     for (std::int64_t i = 0; i < count; ++i) {
         const double place =
             static_cast<double>(i) / static_cast<double>(std::max<std::int64_t>(1, count - 1));
@@ -294,7 +326,7 @@ void settle(ConstMatrixView rows, const MeanCycle& mean, const Spread& spread, b
 } // namespace
 
 Registration register_runs(ConstMatrixView rows, std::vector<Run> runs, double period,
-                           double smooth, const std::function<void()>& poll) {
+                           double smooth, double settled, const std::function<void()>& poll) {
     Registration result;
     result.mean.period = period;
     result.mean.variance = variance_of(rows, runs, poll);
@@ -302,8 +334,9 @@ Registration register_runs(ConstMatrixView rows, std::vector<Run> runs, double p
     std::vector<Moving> all;
     for (Run& run : runs)
         all.emplace_back(std::move(run));
-    for (int round = 0; round < rounds; ++round) {
-        const Loop loop = fit_loop(rows, runs_of(all), harmonics, poll);
+    for (int round = 0; round < most_rounds; ++round) {
+        const std::vector<Run> before = runs_of(all);
+        const Loop loop = fit_loop(rows, before, harmonics, poll);
         std::vector<Pull> pulls;
         for (const Moving& moving : all)
             pulls.push_back(pull_to(rows, loop, moving.run, {}, poll));
@@ -311,22 +344,20 @@ Registration register_runs(ConstMatrixView rows, std::vector<Run> runs, double p
         for (std::size_t r = 0; r < all.size(); ++r)
             all[r].follow(pulls[r], stiffness, slowest_in_cycle / period);
         even_out(all);
+        double most = 0;
+        for (std::size_t r = 0; r < all.size(); ++r)
+            most = std::max(most, moved(before[r], all[r].run));
+        if (most < settled)
+            break;
     }
     result.runs = runs_of(all);
     result.mean.loop = fit_loop(rows, result.runs, harmonics, poll);
-    double squares = 0, count = 0;
-    for (const Run& run : result.runs)
-        for (const double distance : residuals(rows, result.mean, run, poll)) {
-            squares += distance * distance;
-            ++count;
-        }
-    result.residual = squares / count;
     return result;
 }
 
 Run register_with(ConstMatrixView rows, const MeanCycle& mean, Run run, double slowest,
                   double smooth, const std::function<void()>& poll) {
-    return registered(rows, mean, std::move(run), slowest, smooth, {}, poll);
+    return registered(rows, mean, std::move(run), slowest, smooth, 0, {}, poll);
 }
 
 Run continued(const Run& run, double period, Range within) {

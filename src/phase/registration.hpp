@@ -17,6 +17,10 @@ namespace stltsa::phase {
 /// alike, below it poses alone follow slow drift.
 inline constexpr double smooth_share = 0.04;
 
+/// Each round of a registration moves the phases about a tenth as far as the one before: after one
+/// that moves none by this share of a cycle, what is left is 0.03 ms of a stride.
+inline constexpr double nearly_settled = 3e-4;
+
 struct MeanCycle {
     Loop loop;           ///< of pose_and_velocity(), 2 x features columns
     double period = 0;   ///< rows, median of the cycles
@@ -26,16 +30,15 @@ struct MeanCycle {
 struct Registration {
     MeanCycle mean;
     std::vector<Run> runs; ///< strictly rising; shifted, but not reordered
-    /// Mean squared distance of the rows from the mean cycle, as a share of the variance.
-    double residual = 0;
 };
 
 /// Registers runs of whole cycles with each other. `runs`: linear time between the borders of
 /// cycles; each has at least four rows. `rows`: pose_and_velocity(). After it, over whole turns,
 /// the mean share of time at each phase is uniform, so that phases of several clips compare.
-/// `smooth`: see smooth_share.
+/// `smooth`: see smooth_share. `settled`: rounds end after one that moves no phase by so much.
 Registration register_runs(ConstMatrixView rows, std::vector<Run> runs, double period,
-                           double smooth = smooth_share, const std::function<void()>& poll = {});
+                           double smooth = smooth_share, double settled = 0,
+                           const std::function<void()>& poll = {});
 
 /// Registers one run with a known mean cycle. Steps of the phase are at least `slowest` of the
 /// mean.

@@ -49,10 +49,9 @@ void check_spread(const Place& place) {
 
 } // namespace
 
-Searched searched(ConstMatrixView rows, double rate, const Phases& phases, std::vector<Run> runs,
-                  const std::function<void()>& poll) {
+Searched searched(ConstMatrixView rows, ConstMatrixView both, double rate, const Phases& phases,
+                  std::vector<Run> runs, const std::function<void()>& poll) {
     const double period = phases.mean.period;
-    const Matrix both = pose_and_velocity(rows, rate, period, poll);
     Searched made{phases.mean,
                   std::move(runs),
                   {},
@@ -63,13 +62,13 @@ Searched searched(ConstMatrixView rows, double rate, const Phases& phases, std::
                   FineRows(rows, rate, period, poll),
                   poll};
     std::vector<double> within;
-    for (const Run& run : phases.runs) {
-        made.known.push_back({run.begin, run.end()});
-        std::ranges::copy(residuals(both.view(), made.mean, run, poll), std::back_inserter(within));
+    for (std::size_t r = 0; r < phases.runs.size(); ++r) {
+        made.known.push_back({phases.runs[r].begin, phases.runs[r].end()});
+        std::ranges::copy(phases.distances[r], std::back_inserter(within));
     }
     made.usual_distance = motion::median(within);
     for (const Run& run : made.runs) {
-        std::vector<double> distance = residuals(both.view(), made.mean, run, poll);
+        std::vector<double> distance = residuals(both, made.mean, run, poll);
         const Matrix smooth = gaussian_smoothed({distance.data(), run.rows(), 1, 1}, period / 20,
                                                 Beyond::nothing, 1, poll);
         made.distance.emplace_back(smooth.data(), smooth.data() + run.rows());

@@ -28,10 +28,11 @@ struct Searched {
     std::function<void()> poll; ///< called periodically while events are found; may throw
 };
 
-/// `runs`: those of the phases, one for one, continued beyond the cycles where the motion goes on.
-/// `poll`: called periodically now and later, may throw.
-Searched searched(ConstMatrixView rows, double rate, const Phases& phases, std::vector<Run> runs,
-                  const std::function<void()>& poll = {});
+/// `both`: pose_and_velocity() of the rows. `runs`: those of the phases, one for one, continued
+/// beyond the cycles where the motion goes on. `poll`: called periodically now and later, may
+/// throw.
+Searched searched(ConstMatrixView rows, ConstMatrixView both, double rate, const Phases& phases,
+                  std::vector<Run> runs, const std::function<void()>& poll = {});
 
 /// A value at a place between indices, which is clamped to them.
 double interpolated(const std::vector<double>& values, double place);

@@ -116,7 +116,7 @@ class Grower {
     /// Registers the run with its own mean cycle; false if nothing moves.
     bool enter(Run run) {
         phase::Registration found =
-            phase::register_runs(both_.view(), {std::move(run)}, typical_, smooth, poll_);
+            phase::register_runs(both_.view(), {std::move(run)}, typical_, smooth, 0, poll_);
         grown_ = {found.runs.front().begin, found.runs.front().end()};
         take(found.runs.front(), grown_);
         mean_ = std::move(found.mean);

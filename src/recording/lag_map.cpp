@@ -58,24 +58,22 @@ void multiply(const Matrix& velocity, const std::vector<double>& squares, std::i
 
 /// Ratio of the weighted sums around `middle`; what lies beyond the ends does not count.
 double weighted_ratio(const Products& products, double middle, const std::vector<double>& weights) {
-    const auto reach = static_cast<std::int64_t>(weights.size()) - 1;
+    const auto reach = static_cast<std::int64_t>(weights.size()) / 2;
     const auto center = static_cast<std::int64_t>(
         std::lround(std::clamp(middle, 0.0, static_cast<double>(products.both.size() - 1))));
     const std::int64_t first = std::max<std::int64_t>(0, center - reach);
     const std::int64_t last =
         std::min(static_cast<std::int64_t>(products.both.size()) - 1, center + reach);
-    double both = 0, energy = 0;
-    for (std::int64_t i = first; i <= last; ++i) {
-        const double weight = weights[static_cast<std::size_t>(std::abs(i - center))];
-        both += weight * products.both[static_cast<std::size_t>(i)];
-        energy += weight * products.energy[static_cast<std::size_t>(i)];
-    }
-    return both / energy;
+    const double* weight = weights.data() + (first - center + reach);
+    return dot(weight, products.both.data() + first, last - first + 1) /
+           dot(weight, products.energy.data() + first, last - first + 1);
 }
 
-std::vector<double> half_window(double sigma) {
+/// From one end to the other.
+std::vector<double> window(double sigma) {
+    const auto reach = static_cast<int>(window_end * sigma);
     std::vector<double> weights;
-    for (int i = 0; i <= window_end * sigma; ++i)
+    for (int i = -reach; i <= reach; ++i)
         weights.push_back(std::exp(-0.5 * (i / sigma) * (i / sigma)));
     return weights;
 }
@@ -100,13 +98,12 @@ LagMap make_lag_map(const Signal& signal, Rows range, double shortest, double lo
         if (lag >= static_cast<double>(range.count() - 2))
             continue;
         multiply(velocity, squares, static_cast<std::int64_t>(lag), products);
-        const auto weights =
-            half_window(std::max(window_share * lag, least_window_s * signal.rate));
+        const auto weights = window(std::max(window_share * lag, least_window_s * signal.rate));
         polls.did(velocity.rows() * velocity.cols());
         for (std::int64_t t = 0; t < map.times; ++t) {
             map.match[static_cast<std::size_t>(t) * map.lags.size() + l] = static_cast<float>(
                 weighted_ratio(products, static_cast<double>(t * map.hop) - lag / 2, weights));
-            polls.did(2 * static_cast<std::int64_t>(weights.size()));
+            polls.did(static_cast<std::int64_t>(weights.size()));
         }
     }
     return map;

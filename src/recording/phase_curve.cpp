@@ -81,6 +81,8 @@ Embedding embed_chunk(ConstMatrixView samples, const std::function<void()>& poll
             result.fits.push_back(ltsa::embed(graph, d, ltsa::eigenvalues_of_fit(d), Progress()));
             result.pairs.push_back(most_cyclic(result.fits.back().coords));
             result.fits.back().coords = Matrix();
+            if (d > 1 && result.pairs.back().cyclicity >= good_cyclicity)
+                break;
         }
     } catch (const Error& error) {
         if (error.status() != Status::degenerate && error.status() != Status::disconnected &&

@@ -52,8 +52,8 @@ phase::Searched searched(const Phased& phased, const PhasedMotion& motion,
         runs.push_back(motion.phases.linear ? phase::continued(run, mean.period, room)
                                             : phase::grown(both.view(), mean, run, room, poll));
     }
-    return phase::searched(phased.rows.view(), phased.clip.fps, motion.phases, std::move(runs),
-                           poll);
+    return phase::searched(phased.rows.view(), both.view(), phased.clip.fps, motion.phases,
+                           std::move(runs), poll);
 }
 
 /// The marks of a motion.

@@ -88,7 +88,7 @@ std::vector<phase::Range> moving_rows(const Decomposed& decomposed, const Phased
     return ranges;
 }
 
-void set_frames(const Decomposed& decomposed, const std::function<void()>& poll, Phased& phased) {
+void set_frames(const Decomposed& decomposed, Phased& phased) {
     const auto frames = static_cast<std::size_t>(phased.clip.frames);
     phased.phase.assign(frames, none);
     phased.residual.assign(frames, none);
@@ -96,10 +96,9 @@ void set_frames(const Decomposed& decomposed, const std::function<void()>& poll,
     for (const PhasedMotion& motion : phased.motions) {
         if (!motion.phases.cyclic)
             continue;
-        const Matrix both = phase::pose_and_velocity(phased.rows.view(), phased.clip.fps,
-                                                     motion.phases.mean.period, poll);
-        for (const phase::Run& run : motion.phases.runs) {
-            const auto distances = phase::residuals(both.view(), motion.phases.mean, run, poll);
+        for (std::size_t r = 0; r < motion.phases.runs.size(); ++r) {
+            const phase::Run& run = motion.phases.runs[r];
+            const std::vector<double>& distances = motion.phases.distances[r];
             for (std::int64_t i = 0; i < run.rows(); ++i) {
                 const auto frame = static_cast<std::size_t>(phased.clip.first + run.begin + i);
                 const double phase = run.phase[static_cast<std::size_t>(i)];
@@ -147,7 +146,7 @@ std::shared_ptr<const Phased> find_phase(const Decomposed& decomposed, const Pro
         warn_if_linear(motion, phased);
     }
     phased.moving = moving_rows(decomposed, phased);
-    set_frames(decomposed, poll, phased);
+    set_frames(decomposed, phased);
     return found;
 }
 

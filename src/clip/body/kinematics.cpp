@@ -5,6 +5,14 @@
 
 namespace stltsa::clip {
 
+namespace {
+
+bool is_one(const Quaternion& q) {
+    return q.w == 1 && q.x == 0 && q.y == 0 && q.z == 0;
+}
+
+} // namespace
+
 Quaternion joint_rotation(const Joint& joint, bool fixed_axes, const double* values) {
     Quaternion product;
     for (std::size_t c = 0; c < joint.channels.size(); ++c) {
@@ -12,9 +20,9 @@ Quaternion joint_rotation(const Joint& joint, bool fixed_axes, const double* val
             continue;
         const Quaternion turn =
             axis_rotation(channel_axis(joint.channels[c]), to_radians(values[c]));
-        product = fixed_axes ? turn * product : product * turn;
+        product = is_one(product) ? turn : fixed_axes ? turn * product : product * turn;
     }
-    return joint.axis * product * conjugate(joint.axis);
+    return is_one(joint.axis) ? product : joint.axis * product * conjugate(joint.axis);
 }
 
 Vec3 joint_translation(const Joint& joint, bool translations_add, const double* values) {

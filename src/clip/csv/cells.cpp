@@ -10,12 +10,23 @@
 namespace stltsa::clip {
 namespace {
 
-constexpr std::string_view blanks = " \t";
+bool is_blank(char c) {
+    return c == ' ' || c == '\t';
+}
 
 std::size_t skip_blanks(std::string_view line, std::size_t from, char separator) {
-    while (from < line.size() && line[from] != separator && blanks.find(line[from]) != blanks.npos)
+    while (from < line.size() && line[from] != separator && is_blank(line[from]))
         ++from;
     return from;
+}
+
+/// The next separator; a blank is any of them.
+std::size_t find_end(std::string_view line, std::size_t from, char separator) {
+    if (separator != ' ')
+        return line.find(separator, from);
+    while (from < line.size() && !is_blank(line[from]))
+        ++from;
+    return from < line.size() ? from : line.npos;
 }
 
 /// Position of the quote that closes the one before `from`; skips doubled quotes.
@@ -37,13 +48,12 @@ char find_separator(std::string_view line) {
     // "1,5 2,5": numbers do not contain blanks, so these are decimal commas.
     const auto cells = split_cells(line, separator);
     const bool too_long = cells && std::any_of(cells->begin(), cells->end(), [](auto cell) {
-                              return cell.find_first_of(blanks) != cell.npos;
+                              return std::ranges::any_of(cell, is_blank);
                           });
     return too_long ? ' ' : separator;
 }
 
 std::optional<std::vector<std::string_view>> split_cells(std::string_view line, char separator) {
-    const std::string_view ends = separator == ' ' ? blanks : std::string_view(&separator, 1);
     if (separator == ' ')
         line = trim(line);
     std::vector<std::string_view> cells;
@@ -52,12 +62,12 @@ std::optional<std::vector<std::string_view>> split_cells(std::string_view line, 
         std::size_t end = 0;
         if (begin < line.size() && line[begin] == '"') {
             const std::size_t quote = closing_quote(line, begin + 1);
-            end = quote == line.npos ? quote : line.find_first_of(ends, quote);
+            end = quote == line.npos ? quote : find_end(line, quote, separator);
             if (quote == line.npos || !trim(line.substr(quote + 1, end - quote - 1)).empty())
                 return std::nullopt;
             cells.push_back(trim(line.substr(begin + 1, quote - begin - 1)));
         } else {
-            end = line.find_first_of(ends, begin);
+            end = find_end(line, begin, separator);
             cells.push_back(trim(line.substr(begin, end - begin)));
         }
         if (end == line.npos)

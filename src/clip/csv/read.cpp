@@ -140,9 +140,9 @@ class CsvReader {
     }
 
     double number(std::string_view cell, std::size_t c) {
-        if (is_gap(cell))
-            return std::numeric_limits<double>::quiet_NaN();
         const auto value = parse_cell(cell);
+        if ((!value || !std::isfinite(*value)) && is_gap(cell)) // "nan" is both
+            return std::numeric_limits<double>::quiet_NaN();
         if (!value)
             in_.fail(Status::format, "column {}: {} is not a number", title(c), in_quotes(cell));
         if (!std::isfinite(*value))

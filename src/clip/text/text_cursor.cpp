@@ -137,7 +137,10 @@ std::string_view TextCursor::line() {
     while (position_ < text_.size()) {
         returned_line_ = line_;
         const std::size_t begin = position_;
-        const std::size_t end = std::min(text_.find_first_of("\n\r", begin), text_.size());
+        const auto end = static_cast<std::size_t>(
+            std::find_if(text_.begin() + static_cast<std::ptrdiff_t>(begin), text_.end(),
+                         is_line_end) -
+            text_.begin());
         position_ = end + (text_.substr(end).starts_with("\r\n") ? 2 : 1);
         position_ = std::min(position_, text_.size());
         line_ += end < text_.size() ? 1 : 0;

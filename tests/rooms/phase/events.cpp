@@ -40,7 +40,7 @@ Searched cyclic(const Matrix& samples) {
         given.push_back(row_at(i) + std::sin(3.1 * i)); // a frame off
     const Phases phases = find_phases(samples.view(), rate, {&given, 1}, {});
     const Matrix both = pose_and_velocity(samples.view(), rate, phases.mean.period);
-    return searched(samples.view(), rate, phases,
+    return searched(samples.view(), both.view(), rate, phases,
                     {grown(both.view(), phases.mean, phases.runs[0], {0, 500})});
 }
 
@@ -155,7 +155,8 @@ void repetitions_have_one_each(void**) {
         given.push_back({100.0 * i + 28 + i % 2, 100.0 * i + 72 - i % 2});
     const Phases phases = find_phases_of_repetitions(samples.view(), rate, given);
     assert_false(phases.cyclic);
-    const Searched in = searched(samples.view(), rate, phases, phases.runs);
+    const Matrix both = pose_and_velocity(samples.view(), rate, phases.mean.period);
+    const Searched in = searched(samples.view(), both.view(), rate, phases, phases.runs);
     const double mark = 242;
     const auto events = events_of(in, {mark});
     assert_int_equal(events.size(), 6);
@@ -170,7 +171,7 @@ void repetitions_have_one_each(void**) {
     for (const Run& run : phases.runs)
         grew.push_back(grown(both.view(), phases.mean, run,
                              {run.begin - 12, std::min<std::int64_t>(600, run.end() + 12)}));
-    const Searched wide = searched(samples.view(), rate, phases, grew);
+    const Searched wide = searched(samples.view(), both.view(), rate, phases, grew);
     for (const double at : {227.0, 233.0, 268.0})
         assert_int_equal(events_of(wide, {at}).size(), 6);
 }
@@ -235,7 +236,7 @@ void first_steps_follow_the_parts_that_move(void**) {
         given.push_back(36.0 * i);
     const Phases phases = find_phases(samples.view(), rate, {&given, 1}, {});
     const Matrix both = pose_and_velocity(samples.view(), rate, phases.mean.period);
-    const Searched in = searched(samples.view(), rate, phases,
+    const Searched in = searched(samples.view(), both.view(), rate, phases,
                                  {grown(both.view(), phases.mean, phases.runs[0], {24, 500})});
     double worst_off = 0;
     int before = 0;

@@ -103,7 +103,8 @@ void the_phase_polls(void**) {
     });
     phase::MeanCycle mean;
     check_polls(4 * 2 * 6, [&](auto, const auto& poll) {
-        mean = phase::register_runs(wide().view(), {run}, period, phase::smooth_share, poll).mean;
+        mean =
+            phase::register_runs(wide().view(), {run}, period, phase::smooth_share, 0, poll).mean;
     });
     check_polls(6,
                 [&](auto, const auto& poll) { phase::residuals(wide().view(), mean, run, poll); });
@@ -118,9 +119,10 @@ void events_poll(void**) {
                 [&](auto, const auto& poll) { phase::FineRows(wide().view(), 60, period, poll); });
     const phase::Borders borders = {2, 12, 22, 32, 42};
     const phase::Phases phases = phase::find_phases(wide().view(), 30, {&borders, 1}, {});
+    const Matrix both = phase::pose_and_velocity(wide().view(), 30, period);
     std::optional<phase::Searched> in;
     check_polls(43, [&](auto, const auto& poll) {
-        in = phase::searched(wide().view(), 30, phases, phases.runs, poll);
+        in = phase::searched(wide().view(), both.view(), 30, phases, phases.runs, poll);
     });
     const auto places = phase::places_of(*in, {phase::mark_at(*in, 17).value()});
     check_polls(140, [&](auto, const auto& poll) {
