@@ -79,6 +79,19 @@ void refuse_nested(double rate, std::vector<CyclicStretch>& cuts) {
         }
 }
 
+/// Gives cycles of neighbors that were moved over each other one border between them.
+void part_neighbors(std::vector<CyclicStretch>& cuts) {
+    CyclicStretch* before = nullptr;
+    for (CyclicStretch& cut : cuts) {
+        if (!cut.claimed())
+            continue;
+        if (before != nullptr && before->borders.back() > cut.borders.front())
+            before->borders.back() = cut.borders.front() =
+                (before->borders.back() + cut.borders.front()) / 2;
+        before = &cut;
+    }
+}
+
 /// The cycles of the part: the longest stretches first, as far as they grow. What is left of a
 /// stretch is one as well.
 Part decide(const Signal& signal, Rows rows, const StillRows& still, const PeriodRange& periods,
@@ -121,6 +134,7 @@ Part decide(const Signal& signal, Rows rows, const StillRows& still, const Perio
     std::ranges::move(small, std::back_inserter(part.stretches));
     std::ranges::stable_sort(part.stretches, {},
                              [](const CyclicStretch& cut) { return cut.growth.run.begin; });
+    part_neighbors(part.stretches);
     return part;
 }
 

@@ -200,15 +200,17 @@ std::vector<double> per_row(const std::vector<double>& lags, std::int64_t hop, s
 
 Stretch make_stretch(const LagMap& map, std::size_t first_state, std::int64_t begin,
                      std::int64_t end, const std::vector<std::size_t>& path, Rows range) {
-    std::vector<double> lags, matches;
+    std::vector<double> lags;
     for (std::int64_t t = begin; t < end; ++t) {
         const std::size_t lag = first_state + path[static_cast<std::size_t>(t)];
         lags.push_back(map.lags[lag]);
-        matches.push_back(static_cast<double>(map.at(t, lag)));
     }
     const double fraction = octave(map, map.lags[first_state], begin, lags);
-    for (double& lag : lags)
-        lag *= fraction;
+    std::vector<double> matches;
+    for (std::size_t i = 0; i < lags.size(); ++i) {
+        lags[i] *= fraction;
+        matches.push_back(match_at(map, begin + static_cast<std::int64_t>(i), lags[i]));
+    }
     Stretch stretch;
     stretch.quality = motion::median(matches);
     stretch.rows = {range.begin + begin * map.hop,

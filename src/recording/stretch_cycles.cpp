@@ -236,9 +236,10 @@ double preference_for(const Signal& signal, const Growth& growth, double margin)
     return count > 0 ? sum / count : 0;
 }
 
-/// Cycles from one preferred margin to the next. A motion that is cut off at both ends has as many
-/// as it has whole turns: they begin as near to the margin as this allows. At a rest there are the
-/// first and the last steps instead (initial and final unit).
+/// Cycles from one preferred margin to the next. A recording that is cut off at both ends of one
+/// motion has as many as whole turns: they begin as near to the margin as this allows. Beside a
+/// rest or another motion there are the first and the last steps instead (initial and final unit),
+/// and all stretches of a motion begin at the same margin.
 std::vector<double> borders_at_margins(const Signal& signal, const Growth& growth,
                                        const PhaseCurve& curve, bool cut_off) {
     const double first = growth.run.phase.front(), turns = growth.turns();
@@ -318,8 +319,9 @@ CyclicStretch cut_stretch(const Signal& signal, const Stretch& stretch, Rows wit
     Growth& growth = cut.growth;
     if (growth.run.rows() > 1)
         trim(still.rests, growth);
-    const Beside beside = rests_beside(still.rests, growth);
-    if (const auto home = growth.run.rows() > 1 ? home_of(signal, beside, growth) : std::nullopt) {
+    if (const auto home = growth.run.rows() > 1
+                              ? home_of(signal, rests_beside(still.rests, growth), growth)
+                              : std::nullopt) {
         cut.borders = borders_from_home(growth, *home);
         cut.from_rest = home->from.has_value();
         cut.to_rest = home->to.has_value();
@@ -330,11 +332,12 @@ CyclicStretch cut_stretch(const Signal& signal, const Stretch& stretch, Rows wit
         return cut;
     }
     cut.phase = trace_phase(signal, growth, progress);
-    if (cut.borders.size() < 2)
-        cut.borders = align_borders(
-            signal, within,
-            borders_at_margins(signal, growth, cut.phase, !beside.before && !beside.after),
-            progress.poll());
+    if (cut.borders.size() < 2) {
+        const bool cut_off = growth.run.begin <= 1 && growth.run.end() >= signal.rows() - 1;
+        cut.borders =
+            align_borders(signal, within, borders_at_margins(signal, growth, cut.phase, cut_off),
+                          progress.poll());
+    }
     for (std::vector<double>* curve : {&cut.phase.curve, &cut.phase.partner})
         *curve = leveled(motion::smooth(*curve, curve_smoothing * samples_per_period));
     cut.confidences = cycle_confidences(cut);
