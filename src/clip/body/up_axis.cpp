@@ -11,7 +11,7 @@ namespace stltsa::clip {
 namespace {
 
 /// Number of frames that suffice to find the axis.
-constexpr std::int64_t most_frames = 200;
+constexpr std::int64_t most_frames = 50;
 
 /// Joints whose names contain one of the words.
 std::vector<std::size_t> named(const Skeleton& skeleton,
