@@ -8,6 +8,7 @@
 #include "linalg/eigen.hpp"
 #include "linalg/gaussian.hpp"
 #include "linalg/simd.hpp"
+#include "linalg/weighted_rows.hpp"
 #include "motion/curve/statistics.hpp"
 
 namespace stltsa::recording {
@@ -129,14 +130,16 @@ KernelFeatures::KernelFeatures(const Signal& signal, const std::function<void()>
     sums_ = Matrix(x.rows() + 1, map.cols());
     squares_.assign(static_cast<std::size_t>(x.rows() + 1), 0);
     std::vector<double> feature(static_cast<std::size_t>(map.cols()));
+    std::vector<double> kernel(static_cast<std::size_t>(landmarks.rows()));
     PacedPoll polls(poll);
     for (std::int64_t i = 0; i < x.rows(); ++i) {
         polls.did(landmarks.rows() * (landmarks.cols() + map.cols()));
         std::fill(feature.begin(), feature.end(), 0.0);
         for (std::int64_t l = 0; l < landmarks.rows(); ++l)
-            axpy(std::exp(-squared_distance(statistics.row(i), landmarks.row(l), landmarks.cols()) /
-                          (bandwidth > 0 ? bandwidth : 1)),
-                 map.row(l), feature.data(), map.cols());
+            kernel[static_cast<std::size_t>(l)] =
+                std::exp(-squared_distance(statistics.row(i), landmarks.row(l), landmarks.cols()) /
+                         (bandwidth > 0 ? bandwidth : 1));
+        add_weighted(map.view(), kernel.data(), 1, feature.data());
         std::copy_n(sums_.row(i), map.cols(), sums_.row(i + 1));
         axpy(1, feature.data(), sums_.row(i + 1), map.cols());
         squares_[static_cast<std::size_t>(i + 1)] =

@@ -81,6 +81,7 @@ Embedding embed_chunk(ConstMatrixView samples, const std::function<void()>& poll
             result.fits.push_back(ltsa::embed(graph, d, ltsa::eigenvalues_of_fit(d), Progress()));
             result.pairs.push_back(most_cyclic(result.fits.back().coords));
             result.fits.back().coords = Matrix();
+            // A third one moved no border of 88 of 90 recordings by 1 us, two by 0.3 ms.
             if (d > 1 && result.pairs.back().cyclicity >= good_cyclicity)
                 break;
         }

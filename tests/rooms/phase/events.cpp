@@ -166,7 +166,6 @@ void repetitions_have_one_each(void**) {
     for (const double at : {233.0, 242.0, 265.0})
         assert_int_equal(events_of(in, {at}, &in).size(), 6);
     // Also at the begin and the end, where runs that grow beyond them pass the phase twice.
-    const Matrix both = pose_and_velocity(samples.view(), rate, phases.mean.period);
     std::vector<Run> grew;
     for (const Run& run : phases.runs)
         grew.push_back(grown(both.view(), phases.mean, run,
