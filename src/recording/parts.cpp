@@ -114,7 +114,7 @@ Part decide(const Signal& signal, Rows rows, const StillRows& still, const Perio
         const Stretch stretch = within(next, free);
         if (stretch.rows.count() < 2)
             continue;
-        CyclicStretch cut = cut_stretch(signal, stretch, free, still, progress);
+        CyclicStretch cut = cut_stretch(signal, stretch, rows, free, still, progress);
         const phase::Run& run = cut.growth.run;
         for (const Rows left :
              {Rows{stretch.rows.begin, run.begin}, Rows{run.end(), stretch.rows.end}})

@@ -41,8 +41,8 @@ constexpr double same_stretch = 0.15;
 /// Shorter lags than the shortest period are needed to see the match fall before it rises.
 constexpr double lags_below = 0.5;
 constexpr double least_lag_rows = 3;
-/// Longest lag as a share of the range: 1.5 periods must be seen.
-constexpr double longest_share = 1 / 1.5;
+/// Longest lag as a share of the range: a period and a little more.
+constexpr double longest_share = 1 / 1.3;
 constexpr double shortest_range_s = 1.2;
 /// Sigma of the smoothing of the track in periods.
 constexpr double track_smoothing = 0.5;

@@ -17,7 +17,11 @@ namespace stltsa::recording {
 namespace {
 
 /// Turns that must be seen for the motion to repeat.
-constexpr double min_turns = 1.5;
+constexpr double min_turns = 1.4;
+/// Fewer turns need this quality: of 60 right cycles, one has less (measure/cycles), the uneven
+/// strides of 131_01 have 0.63.
+constexpr double few_turns = 2;
+constexpr double min_quality_of_few = 0.65;
 /// A cycle may lack so much of a turn: phases at the ends are not known better.
 constexpr double turn_tolerance = 0.02;
 /// The mean cycle passes through a posture of rest, and is slow there, if its squared distance from
@@ -32,6 +36,8 @@ constexpr std::int64_t posture_phases = 96;
 constexpr double golden_angle = 2.399963229728653;
 /// Time before and after a motion in which its posture of rest is read.
 constexpr double posture_s = 0.3;
+/// A stretch that is longer than this share of its part is the only one.
+constexpr double most_of_part = 0.7;
 /// Sigma of the smoothing of the coordinate as a share of a cycle (motion/decompose.cpp).
 constexpr double curve_smoothing = 0.06;
 /// Least height of a swing of the coordinate between its margins, as a share of its extent.
@@ -311,7 +317,7 @@ double CyclicStretch::period() const {
     return motion::median(lengths);
 }
 
-CyclicStretch cut_stretch(const Signal& signal, const Stretch& stretch, Rows within,
+CyclicStretch cut_stretch(const Signal& signal, const Stretch& stretch, Rows part, Rows within,
                           const StillRows& still, RowProgress& progress) {
     CyclicStretch cut;
     cut.stretch = stretch;
@@ -331,9 +337,20 @@ CyclicStretch cut_stretch(const Signal& signal, const Stretch& stretch, Rows wit
                                 motion::median(stretch.period) / signal.rate, min_turns);
         return cut;
     }
+    if (cut.borders.size() < 3 && growth.turns() < few_turns &&
+        stretch.quality < min_quality_of_few) {
+        cut.doubt = format_text("low quality: it resembles itself most after {:.2f} s, but with a "
+                                "quality of only {:.3f}, below {} (1: it repeats)",
+                                motion::median(stretch.period) / signal.rate, stretch.quality,
+                                min_quality_of_few);
+        return cut;
+    }
     cut.phase = trace_phase(signal, growth, progress);
     if (cut.borders.size() < 2) {
-        const bool cut_off = growth.run.begin <= 1 && growth.run.end() >= signal.rows() - 1;
+        const Beside beside = rests_beside(still.rests, growth);
+        const bool cut_off = !beside.before && !beside.after &&
+                             static_cast<double>(growth.run.rows()) >
+                                 most_of_part * static_cast<double>(part.count());
         cut.borders =
             align_borders(signal, within, borders_at_margins(signal, growth, cut.phase, cut_off),
                           progress.poll());

@@ -41,8 +41,8 @@ struct StillRows {
     const std::vector<Rows>& pauses;
 };
 
-/// The cycles of the stretch, which may grow to the rows `within`.
-CyclicStretch cut_stretch(const Signal& signal, const Stretch& stretch, Rows within,
+/// The cycles of the stretch, which may grow to the rows `within` of its part.
+CyclicStretch cut_stretch(const Signal& signal, const Stretch& stretch, Rows part, Rows within,
                           const StillRows& still, RowProgress& progress);
 
 } // namespace stltsa::recording
