@@ -166,8 +166,8 @@ bool in_order(const std::vector<double>& borders, const std::vector<double>& bef
 std::vector<double> align_borders(const Signal& signal, Rows within, std::vector<double> borders,
                                   const std::function<void()>& poll) {
     const auto begin = static_cast<double>(within.begin), end = static_cast<double>(within.end - 1);
-    if (borders.size() < 2 || (borders.front() <= begin && borders.back() >= end))
-        return borders; // a clip that was cut to whole cycles
+    if (borders.size() < 2)
+        return borders;
     Moving moving{borders, borders, lengths_between(borders)};
     for (int round = 0; round < most_rounds && move(signal, moving) > settled; ++round)
         poll();

@@ -378,24 +378,6 @@ static void progress_never_goes_back(void** state) {
     stltsa_clip_free(clip);
 }
 
-/* They belong to fit, and the text says so. */
-static void options_of_a_fit_are_refused(void** state) {
-    (void)state;
-    stltsa_clip* clip = opened();
-    const int32_t keys[] = {STLTSA_OPT_NEIGHBORS, STLTSA_OPT_WINDOW, STLTSA_OPT_DIMENSION,
-                            STLTSA_OPT_MODE};
-    for (size_t i = 0; i < sizeof keys / sizeof *keys; ++i) {
-        stltsa_options* options = NULL;
-        stltsa_decomposition* d = NULL;
-        must(stltsa_options_new(&options));
-        must(stltsa_options_set_int(options, keys[i], 2));
-        assert_int_equal(stltsa_decompose(clip, options, &d), STLTSA_E_ARGUMENT);
-        assert_non_null(strstr(stltsa_last_error(), "belongs to fit"));
-        stltsa_options_free(options);
-    }
-    stltsa_clip_free(clip);
-}
-
 static int32_t stop_in_search(void* user, int32_t stage, double fraction) {
     (void)user;
     return stage == STLTSA_STAGE_NEIGHBORS && fraction > 0.2 && fraction < 0.3;
@@ -499,7 +481,6 @@ int main(int argc, char** argv) {
         cmocka_unit_test(a_cut_is_no_standing),
         cmocka_unit_test(cancelled_at_every_call),
         cmocka_unit_test(progress_never_goes_back),
-        cmocka_unit_test(options_of_a_fit_are_refused),
         cmocka_unit_test(the_search_for_the_period_can_be_cancelled),
         cmocka_unit_test(wrong_arguments),
         cmocka_unit_test(options_that_leave_nothing),

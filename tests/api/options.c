@@ -184,6 +184,27 @@ static void a_long_text_ends_before_a_character(void** state) {
     }
 }
 
+/* Parameters of an embedding belong to fit, and the text says so. */
+static void options_of_a_fit_are_refused_by_decompose(void** state) {
+    (void)state;
+    double x[60] = {0};
+    const stltsa_in in = packed_in(x, 30, 2);
+    const int32_t keys[] = {STLTSA_OPT_NEIGHBORS, STLTSA_OPT_WINDOW, STLTSA_OPT_DIMENSION,
+                            STLTSA_OPT_MODE};
+    stltsa_clip* clip = NULL;
+    must(stltsa_clip_from_matrix(&in, 30, &clip));
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; ++i) {
+        stltsa_options* options = NULL;
+        stltsa_decomposition* none = NULL;
+        must(stltsa_options_new(&options));
+        must(stltsa_options_set_int(options, keys[i], 2));
+        assert_int_equal(stltsa_decompose(clip, options, &none), STLTSA_E_ARGUMENT);
+        assert_non_null(strstr(stltsa_last_error(), "belongs to fit"));
+        stltsa_options_free(options);
+    }
+    stltsa_clip_free(clip);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_option_is_described_and_holds_its_default),
@@ -194,6 +215,7 @@ int main(void) {
         cmocka_unit_test(names),
         cmocka_unit_test(a_build_says_what_it_has),
         cmocka_unit_test(a_long_text_ends_before_a_character),
+        cmocka_unit_test(options_of_a_fit_are_refused_by_decompose),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

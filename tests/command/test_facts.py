@@ -76,6 +76,7 @@ class Facts(unittest.TestCase):
         recurrent_ = self.handle("model", "fit_clip", clip.pointer, self.options(mode=3, links=3))
         rows = [[math.sin(0.1 * i + c) for c in range(3)] for i in range(200)]
         random.Random(3).shuffle(rows)
+        noise = random.Random(1)
         mixed = self.opened(write_csv("mixed.csv", rows), fps=30.0)
         of_notes = self.handle("model", "fit_clip", noted.pointer, none)
         units = self.handle("decomposition", "decompose", clip.pointer,
@@ -94,6 +95,10 @@ class Facts(unittest.TestCase):
             self.handle("dimension", "estimate_dimension_clip", noted.pointer, self.options(mode=3)),
             self.handle("dimension", "estimate_dimension_clip", self.opened(still(), fps=30.0).pointer,
                         none),
+            # Its eigenvalues are those of noise.
+            self.handle("model", "fit_clip", self.opened(write_csv("noise.csv", [
+                [noise.random() for _ in range(6)] for _ in range(120)]), fps=30.0).pointer,
+                        self.options(mode=2, dimension=1, neighbors=8)),
             self.handle("denoising", "denoise_model", parted.pointer, none),
             self.handle("denoising", "denoise_model", recurrent_.pointer,
                         self.options(gamma=0.01, robust=0)),

@@ -356,8 +356,11 @@ class Figure(CommandTest):
     def test_no_curve_where_nothing_was_fitted(self):
         root = self.figure("decompose", many_cycles())  # it stands before and after
         self.assertEqual(len(self.of_class(root, "no-curve")), 2)
+        # It moves all the time; the curve ends with a whole 24th of a turn.
         moving = self.figure("decompose", circle(), "--fps", "30")
-        self.assertEqual(self.of_class(moving, "no-curve"), [])
+        width = float(moving.get("viewBox").split()[2])
+        for line in self.of_class(moving, "no-curve"):
+            self.assertLess(float(line.get("x2")) - float(line.get("x1")), width / 3 / 24)
 
     def test_seams(self):
         """One strip per kind of cut, with its postures across the seam, in order."""

@@ -215,11 +215,11 @@ class Synthesize(CommandTest):
         name = 150 * "n" + ".bvh"
         clip = self.folder / name
         clip.symlink_to(walk())
-        pieces = [f"{clip}:{what}" for what in ("initial", "cycle2*5", "final")]
+        pieces = [f"{clip}:{what}" for what in ("initial", "cycle1*5", "final")]
         text = self.done("synthesize", *pieces, "-o", self.folder / "x.bvh").decode()
         self.assertEqual(text.count(name), 1)
         self.assertIn("1  " + name + ":initial\n", text)
-        self.assertIn("\n  2  :cycle2*5\n  3  :final\n", text)
+        self.assertIn("\n  2  :cycle1*5\n  3  :final\n", text)
         self.assertEqual([line.split()[2:4] for line in text.splitlines()[9:13]],
                          [["2", "2"], ["more", "like"], ["2", "2"], ["2", "3"]])
 

@@ -35,8 +35,8 @@ def files(folder):
 
 
 def test_the_commands_files(clips, tmp_path, command):
-    rows = stltsa.batch(clips, tmp_path / "python", fps=30.0, neighbors=36)
-    flags = ["--fps", "30", "--neighbors", "36"]
+    rows = stltsa.batch(clips, tmp_path / "python", fps=30.0, segments=1)
+    flags = ["--fps", "30", "--segments", "1"]
     subprocess.run([command, "batch", clips, "--out", tmp_path / "command", *flags], check=True,
                    capture_output=True)  # fmt: skip
     assert files(tmp_path / "python") == files(tmp_path / "command")
@@ -46,7 +46,7 @@ def test_the_commands_files(clips, tmp_path, command):
     assert {str(name) for name in files(tmp_path / "python")} == results | {"summary.csv"}
     assert list(rows["status"]) == ["done", "done"]
     assert not any(rows["kept"])
-    again = stltsa.batch(clips, tmp_path / "command", fps=30, neighbors=36)
+    again = stltsa.batch(clips, tmp_path / "command", fps=30, segments=1)
     assert all(again["kept"])
     assert list(again["period_s"]) == list(rows["period_s"])
     assert not any(stltsa.batch(clips, tmp_path / "python", fps=30)["kept"])
@@ -99,7 +99,7 @@ def test_wrong_options_fail_before_the_first_clip(clips, tmp_path, error, option
     with pytest.raises(error, match=next(iter(options))):
         stltsa.batch(clips, tmp_path / "out", **options)
     assert not (tmp_path / "out").exists()
-    stltsa.batch(clips / "walk.bvh", tmp_path / "out", neighbors="1.2s", period_max="4s")
+    stltsa.batch(clips / "walk.bvh", tmp_path / "out", period_max="4s")
 
 
 def test_jobs(clips, tmp_path):

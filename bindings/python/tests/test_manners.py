@@ -27,7 +27,7 @@ def test_lengths_in_seconds_elsewhere(clip, circle):
     assert stltsa.fit(circle, neighbors="1.1s", fps=100).neighbors == 110
     assert stltsa.fit(circle, neighbors=8, window="0.001s", fps=1e4).window == 10
     assert stltsa.STLTSA(n_neighbors="1.1s", fps=100).fit(circle).n_neighbors_ == 110
-    assert stltsa.decompose(clip, neighbors="1.5s").neighbors == 45
+    assert stltsa.fit(clip, neighbors="1.5s").neighbors == 45
     one, other = (stltsa.fit(clip, smoothing=s) for s in (0.1, "0.1s"))
     assert one.to_bytes() == other.to_bytes()
     model = stltsa.fit(clip)
@@ -184,7 +184,7 @@ def test_types(tmp_path):
         import stltsa
         clip = stltsa.read_clip("walk.bvh")
         frames = np.zeros((3, 3))
-        result = stltsa.decompose("walk.bvh", neighbors="1.2s", window=30)
+        result = stltsa.decompose("walk.bvh", period_max="4s", segments=1)
         stltsa.decompose(frames, fps=30)
         stltsa.decompose([[0.0, 1.0], [1.0, 2.0]], fps=30)
         stltsa.fit([clip, clip])

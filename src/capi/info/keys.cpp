@@ -78,7 +78,7 @@ constexpr stltsa_info_key rows[] = {
     real(STLTSA_INFO_GAP, "gap",
          "lambda_{d+2} / lambda_{d+1} of each component; near 1: the curve is ill-defined."),
     whole(STLTSA_INFO_COMPONENTS, "components", "Components of the neighborhood graph."),
-    whole(STLTSA_INFO_COORDINATE, "coordinate", 
+    whole(STLTSA_INFO_COORDINATE, "coordinate",
           "1-based coordinate of the fit whose margins count; 0: none."),
     real(STLTSA_INFO_CYCLICITY, "cyclicity",
          "How well that coordinate repeats once a period; 1: perfect."),

@@ -74,13 +74,6 @@ void a_clip_may_be_as_long_as_its_cycles(void**) {
     assert_true(after.front() >= 0 && after.back() <= 119);
 }
 
-void whole_cycles_stay(void**) {
-    std::vector<double> borders = moved_borders(0, 5);
-    borders.front() = 0;
-    borders.back() = 120;
-    assert_true(aligned(cycles_of_a_second(4), {0, 120}, borders) == borders);
-}
-
 /// Borders of nothing that repeats are not drawn together.
 void borders_stay_in_order(void**) {
     Random random(3);
@@ -134,7 +127,6 @@ int main() {
         cmocka_unit_test(a_border_alone_stays),
         cmocka_unit_test(borders_stay_inside),
         cmocka_unit_test(a_clip_may_be_as_long_as_its_cycles),
-        cmocka_unit_test(whole_cycles_stay),
         cmocka_unit_test(borders_stay_in_order),
         cmocka_unit_test(still_bodies_keep_their_borders),
         cmocka_unit_test(the_others_are_aligned_without_it),

@@ -82,7 +82,8 @@ void rows_and_phases_are_inverse(void**) {
 void what_is_unlike_the_mean_deviates(void**) {
     Matrix samples = Recorder().cycles(10, 1, 0).samples(0);
     for (std::int64_t i = 157; i < 168; ++i)
-        samples(i, 0) += 0.5 * (1 - std::cos(2 * std::numbers::pi * (i - 157.0) / 10));
+        samples(i, 0) +=
+            0.5 * (1 - std::cos(2 * std::numbers::pi * (static_cast<double>(i) - 157) / 10));
     const Growth found = grown(signal_of(samples), steady(30, 270, fps));
     const auto deviation = [&](std::int64_t row) {
         return found.deviation[static_cast<std::size_t>(row - found.run.begin)];

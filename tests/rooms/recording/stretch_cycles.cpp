@@ -204,14 +204,14 @@ void units_of_length_change_nothing(void**) {
     }
 }
 
-/// The mirror image does the same at the same times, with the other side. 7.9 turns leave room for
-/// the place of seven cycles.
+/// The mirror image does the same at the same times, with the other side. The 7.9 turns leave room
+/// for seven cycles from either side's margin, after 0.2 and 0.7 of a cycle.
 void the_mirror_image_has_the_same_steps(void**) {
-    const Matrix samples = walk(8.7, 1.1);
+    const Matrix samples = walk(10, 1.1);
     const Matrix mirrored =
         changed(samples, [&](auto i, auto c) { return samples(i, (c + 4) % 8); });
-    const Recording a = of_body(samples.view(), left_against_right),
-                    b = of_body(mirrored.view(), left_against_right);
+    const Recording a = of_body(samples.view().block(14, 434), left_against_right),
+                    b = of_body(mirrored.view().block(14, 434), left_against_right);
     assert_true(std::abs(std::ssize(a.cycles) - std::ssize(b.cycles)) <= 1);
     for (const Step& step : a.steps) {
         const auto same = std::ranges::min_element(

@@ -121,15 +121,15 @@ void events_poll(void**) {
     const phase::Phases phases = phase::find_phases(wide().view(), 30, {&borders, 1}, {});
     const Matrix both = phase::pose_and_velocity(wide().view(), 30, period);
     std::optional<phase::Searched> in;
-    check_polls(43, [&](auto, const auto& poll) {
+    check_polls(26, [&](auto, const auto& poll) {
         in = phase::searched(wide().view(), both.view(), 30, phases, phases.runs, poll);
     });
     const auto places = phase::places_of(*in, {phase::mark_at(*in, 17).value()});
-    check_polls(140, [&](auto, const auto& poll) {
+    check_polls(70, [&](auto, const auto& poll) {
         in->poll = poll;
         phase::find_events(*in, places[0]);
     });
-    check_polls(860, [&](auto, const auto& poll) {
+    check_polls(759, [&](auto, const auto& poll) {
         in->poll = poll;
         phase::find_events(*in, places[0], *in);
     });
