@@ -249,16 +249,20 @@ double preference_for(const Signal& signal, const Growth& growth, double margin)
 std::vector<double> borders_at_margins(const Signal& signal, const Growth& growth,
                                        const PhaseCurve& curve, bool cut_off) {
     const double first = growth.run.phase.front(), turns = growth.turns();
-    double preferred = first, most = -std::numeric_limits<double>::infinity();
+    const auto after_of = [&](double phase) { return phase - first - std::floor(phase - first); };
+    const auto count_of = [&](double after) { return std::floor(turns - after + turn_tolerance); };
+    double after = 0;
+    std::pair most{-std::numeric_limits<double>::infinity(), 0.0};
     for (const double margin : margins_of(curve)) {
         const double phase = margin + curve.first_phase;
-        if (const double value = preference_for(signal, growth, phase); value > most) {
+        // Without sides of the body, either half of a cycle may come first: the one of more cycles.
+        const double counts = signal.side.empty() && !cut_off ? count_of(after_of(phase)) : 0;
+        if (const std::pair value{counts, preference_for(signal, growth, phase)}; value > most) {
             most = value;
-            preferred = phase;
+            after = after_of(phase);
         }
     }
-    double after = preferred - first - std::floor(preferred - first);
-    double count = std::floor(turns - after + turn_tolerance);
+    double count = count_of(after);
     if (const double whole = std::floor(turns + turn_tolerance); cut_off && count < whole) {
         const double room = std::max(0.0, turns - whole);
         after = after - room < 1 - after ? room : 0;
