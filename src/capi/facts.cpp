@@ -102,7 +102,7 @@ const ltsa::Parameters* fit_of(const stltsa_dimension& result) {
     return &result.dimension.parameters;
 }
 const ltsa::Parameters* fit_of(const stltsa_decomposition& decomposition) {
-    return &decomposition.curve.parameters;
+    return decomposition.curve.coordinate > 0 ? &decomposition.curve.parameters : nullptr;
 }
 const ltsa::Parameters* fit_of(const stltsa_denoising& denoising) {
     return denoising.fit ? &*denoising.fit : nullptr;

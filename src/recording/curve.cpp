@@ -45,7 +45,7 @@ const Draft* longest_cyclic(const std::vector<Draft>& drafts) {
 
 Curve curve_of(const Signal& signal, const std::vector<Draft>& drafts, std::int64_t samples) {
     Curve shown;
-    shown.parameters.dimension = 2;
+    shown.parameters.neighbors = shown.parameters.window = shown.parameters.dimension = 0; // no fit
     shown.coords = Matrix(samples, 2);
     shown.curve.assign(static_cast<std::size_t>(samples), 0);
     for (const Draft& draft : drafts)

@@ -62,15 +62,15 @@ SEARCH = {
 
 
 def recurrent(name):
-    return lambda h: h[name] if h.choice("mode") == "recurrent" else None
+    return lambda h: h[name] if h.list("mode") and h.choice("mode") == "recurrent" else None
 
 
 FIT = {
-    "mode": lambda h: h.choice("mode"),
-    "neighbors": lambda h: h["neighbors"],
-    "window": lambda h: h["window"],
-    "dimension": lambda h: h["dimension"],
-    "include_self": lambda h: bool(h["include_self"]),
+    "mode": lambda h: h.choice("mode") if h.list("mode") else None,
+    "neighbors": lambda h: h.maybe("neighbors"),
+    "window": lambda h: h.maybe("window"),
+    "dimension": lambda h: h.maybe("dimension"),
+    "include_self": lambda h: bool(h["include_self"]) if h.list("mode") else None,
     "links": recurrent("links"),
     "exclusion": recurrent("exclusion"),
 }
@@ -344,7 +344,7 @@ FACTS = {
         **below("samples", SAMPLES),
         **below("parameters", {**FIT, **SEARCH}),
         "embedding.eigenvalues": lambda h: h.list("eigenvalue"),
-        "embedding.tangent_dimension": lambda h: h["dimension"],
+        "embedding.tangent_dimension": lambda h: h.maybe("dimension"),
         "embedding.coordinate": lambda h: positive(h["coordinate"]),
         "embedding.cyclicity": lambda h: h["cyclicity"],
         **PERIOD,

@@ -52,15 +52,15 @@ plot::Figure figure_of(const Session& session, const stltsa::Info& info) {
     return figure;
 }
 
-std::vector<std::string> facts_of(const stltsa::Info& info) {
-    const std::int64_t neighbors = info.integer(STLTSA_INFO_NEIGHBORS);
-    const double fps = info.real(STLTSA_INFO_FPS);
+/// `length`: of so many samples, after a comma; may be empty.
+template <class Length>
+std::vector<std::string> facts_of(const stltsa::Info& info, const Length& length) {
     std::vector<std::string> facts{"samples: " + samples_text(info),
                                    "features: " + features_text(info)};
-    if (neighbors > 0)
-        facts.push_back(
-            "neighborhoods: " + counted(neighbors, "sample") +
-            (fps > 0 ? fmt::format(", {:.2f} s", static_cast<double>(neighbors) / fps) : ""));
+    if (info.count(STLTSA_INFO_NEIGHBORS) > 0) {
+        const std::int64_t neighbors = info.integer(STLTSA_INFO_NEIGHBORS);
+        facts.push_back("neighborhoods: " + counted(neighbors, "sample") + length(neighbors));
+    }
     return facts;
 }
 
@@ -242,7 +242,8 @@ std::string decomposition_figure(const Session& session,
     const stltsa::Info info = decomposition.info();
     plot::Figure figure = figure_of(session, info);
     figure.summary = decomposition_summary(decomposition);
-    figure.facts = facts_of(info);
+    figure.facts =
+        facts_of(info, [](std::int64_t) { return std::string(", of which a cycle has 24"); });
     if (info.real(STLTSA_INFO_PERIOD) > 0)
         figure.facts.insert(figure.facts.begin(), embedding_text(info));
     figure.curve_name = "motion coordinate";
@@ -274,7 +275,10 @@ std::string fit_figure(const Session& session, const stltsa::Model& model) {
     plot::Figure figure = figure_of(session, info);
     figure.summary = fmt::format("curve of {}, {} neighborhoods",
                                  counted(coords.cols, "coordinate"), named(info, STLTSA_INFO_MODE));
-    figure.facts = facts_of(info);
+    const double fps = info.real(STLTSA_INFO_FPS);
+    figure.facts = facts_of(info, [fps](std::int64_t samples) {
+        return fps > 0 ? fmt::format(", {:.2f} s", static_cast<double>(samples) / fps) : "";
+    });
     figure.curve_name = "first coordinate";
     constexpr std::int64_t postures = 11; // evenly spaced: a model keeps no poses to choose from
     for (std::int64_t i = 0; i < std::min(postures, figure.frames); ++i)

@@ -170,7 +170,7 @@ Json chosen_cycle(std::span<const stltsa_interval> cycles, std::int64_t index) {
 
 Json embedding_json(const recording::Curve& found) {
     return JsonObject("eigenvalues", found.eigenvalues, "tangent_dimension",
-                      found.parameters.dimension, "coordinate",
+                      json_count_or_null(found.parameters.dimension), "coordinate",
                       json_count_or_null(found.coordinate), "cyclicity", found.cyclicity);
 }
 

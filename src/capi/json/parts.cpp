@@ -104,9 +104,12 @@ Json json_warnings(std::span<const Warning> warnings) {
 }
 
 Json json_parameters(const ltsa::Parameters& parameters, const Source& source) {
-    JsonObject object("mode", json_name(parameters.mode), "neighbors", parameters.neighbors,
-                      "window", parameters.window, "dimension", parameters.dimension,
-                      "include_self", parameters.include_self);
+    const bool fitted = parameters.neighbors > 0;
+    JsonObject object("mode", fitted ? json_name(parameters.mode) : Json(nullptr), "neighbors",
+                      json_count_or_null(parameters.neighbors), "window",
+                      json_count_or_null(parameters.window), "dimension",
+                      json_count_or_null(parameters.dimension), "include_self",
+                      fitted ? Json(parameters.include_self) : Json(nullptr));
     const bool recurrent = parameters.mode == ltsa::Mode::recurrent;
     object.set("links", recurrent ? Json(parameters.links) : Json(nullptr));
     object.set("exclusion", recurrent ? Json(parameters.exclusion) : Json(nullptr));
