@@ -75,16 +75,21 @@ std::optional<CyclicStretch> closed_cycle(const Signal& signal, const PeriodRang
     cut.growth = grow(loop, stretch, all, progress.poll());
     // The middle copy, which has a neighbor on each side.
     phase::Run& run = cut.growth.run;
-    if (run.begin > n || run.end() < 2 * n)
+    if (run.begin > n || run.end() <= 2 * n)
         return {};
+    Growth turn = cut.growth; // with the row that closes the loop
+    const auto first = run.phase.begin() + (n - run.begin);
+    turn.run = {n, {first, first + n + 1}};
+    cut.phase = trace_phase(loop, turn, progress);
+    for (double& place : cut.phase.places)
+        place -= static_cast<double>(n);
     const auto keep = [&](std::vector<double>& values) {
-        const auto first = values.begin() + (n - run.begin);
-        values = {first, first + n};
+        const auto from = values.begin() + (n - run.begin);
+        values = {from, from + n};
     };
     keep(cut.growth.deviation);
     keep(run.phase);
     run.begin = 0;
-    cut.phase = trace_phase(signal, cut.growth, progress);
     cut.borders = {0, static_cast<double>(n)};
     cut.confidences = {right};
     return cut;

@@ -57,7 +57,8 @@ Curve curve_of(const Signal& signal, const std::vector<Draft>& drafts, std::int6
         return shown;
     const CyclicStretch& cut = longest->stretches.front();
     const ltsa::Model& fit = cut.phase.fit;
-    shown.parameters = fit.parameters;
+    if (cut.phase.coordinate > 0)
+        shown.parameters = fit.parameters;
     shown.coordinate = cut.phase.coordinate;
     shown.cyclicity = cut.phase.typical_cyclicity();
     if (!fit.components.empty()) {

@@ -50,16 +50,23 @@ double logistic(double x) {
     return 1 / (1 + std::exp(-x));
 }
 
+/// The rows of the run within the cycle, counted from its begin.
+phase::Range rows_in(const phase::Run& run, const Interval& cycle) {
+    const auto row = [&](double at) {
+        return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::ceil(at)) - run.begin, 0,
+                                        run.rows());
+    };
+    return {row(cycle.begin), row(cycle.end)};
+}
+
 /// Mean deviation of the rows of the cycle from the mean of the others at the same phase; NaN if
 /// there are no others.
 double deviation_of(const Growth& growth, const Interval& cycle) {
     const phase::Run& run = growth.run;
     double sum = 0, count = 0;
-    for (std::int64_t i = 0; i < run.rows(); ++i) {
-        const auto row = static_cast<double>(run.begin + i);
+    const phase::Range rows = rows_in(run, cycle);
+    for (std::int64_t i = rows.begin; i < rows.end; ++i) {
         const auto at = static_cast<std::size_t>(i);
-        if (row < cycle.begin || row >= cycle.end)
-            continue;
         const double phase = run.phase[at];
         const double seen =
             std::floor(run.phase.back() - phase) + std::floor(phase - run.phase.front()) + 1;
@@ -95,15 +102,13 @@ double mean_of(std::span<const double> values) {
 }
 
 double likeness_of(const CyclicStretch& cut, const Interval& cycle) {
-    const phase::Run& run = cut.growth.run;
-    double sum = 0, count = 0;
-    for (std::int64_t i = 0; i < run.rows(); ++i)
-        if (const auto row = static_cast<double>(run.begin + i);
-            row >= cycle.begin && row < cycle.end) {
-            sum += cut.growth.deviation[static_cast<std::size_t>(i)];
-            ++count;
-        }
-    return count > 0 ? std::clamp(1 - sum / (2 * count), 0.0, 1.0) : 0;
+    const phase::Range rows = rows_in(cut.growth.run, cycle);
+    if (rows.rows() < 1)
+        return 0;
+    const double mean = mean_of(
+        std::span(cut.growth.deviation)
+            .subspan(static_cast<std::size_t>(rows.begin), static_cast<std::size_t>(rows.rows())));
+    return std::clamp(1 - mean / 2, 0.0, 1.0);
 }
 
 std::vector<double> cycle_confidences(const CyclicStretch& cut) {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/progress.hpp"
 #include "linalg/simd.hpp"
 #include "motion/curve/statistics.hpp"
 
@@ -64,7 +64,9 @@ class Grower {
     Growth grow() {
         if (tracked_.rows() < min_rows || !enter(seed()))
             return {};
-        for (std::int64_t before = 0; grown_.rows() > before;) {
+        // Less than a step is no reason to try again: the rounds are as many as the run doubles.
+        const auto least = std::max<std::int64_t>(2, std::llround(growth_periods * typical_));
+        for (std::int64_t before = 0; before == 0 || grown_.rows() >= before + least;) {
             before = grown_.rows();
             const std::int64_t most = 2 * before;
             while (grown_.rows() < most && extend(true))
@@ -188,7 +190,9 @@ class Grower {
         if (!(tempo < max_tempo_ratio && tempo > 1 / max_tempo_ratio))
             return 0;
         const std::vector<double> all = deviations(more);
-        const auto reach = std::max<std::int64_t>(2, std::llround(deviation_periods * typical_));
+        const auto reach = // of the known rows, those next to the fresh ones may be too few
+            std::min(std::max<std::int64_t>(2, std::llround(deviation_periods * typical_)),
+                     more.rows() - fresh.rows() + 1);
         const auto row = [&](std::int64_t i) { // the i-th from the known ones, which are negative
             return static_cast<std::size_t>((at_end ? fresh.begin + i : fresh.end - 1 - i) -
                                             more.begin);
@@ -209,10 +213,12 @@ class Grower {
 
     std::vector<double> deviations(const Run& run) const {
         Matrix off(run.rows(), both_.cols());
+        PacedPoll polls(poll_);
         for (std::int64_t i = 0; i < run.rows(); ++i) {
             mean_.loop.at(run.phase[static_cast<std::size_t>(i)], off.row(i));
             for (std::int64_t c = 0; c < off.cols(); ++c)
                 off(i, c) = both_(run.begin + i, c) - off(i, c);
+            polls.did(both_.cols() * mean_.loop.coefficients.rows());
         }
         // Sway: what the poses are off over the period around, or beside the row at an end.
         const auto period =

@@ -40,15 +40,20 @@ constexpr std::size_t cycles_compared = 12;
 constexpr double judged_s = 60;
 constexpr std::size_t most_compared = 24;
 
-/// Rows around the stretch that no other one has taken; none if one has taken a part of it.
+/// Rows around the stretch that no other one has taken; empty if one has taken all of it.
 Rows free_rows(Rows part, const Stretch& stretch, const std::vector<CyclicStretch>& taken) {
     Rows free = part;
     for (const CyclicStretch& cut : taken) {
         const phase::Run& run = cut.growth.run;
+        Rows used{run.begin, run.end()};
+        if (cut.claimed()) // borders may lie beyond the rows of the phase
+            used = {
+                std::min(used.begin, static_cast<std::int64_t>(std::floor(cut.borders.front()))),
+                std::max(used.end, static_cast<std::int64_t>(std::ceil(cut.borders.back())))};
         if (run.begin + run.end() < stretch.rows.begin + stretch.rows.end)
-            free.begin = std::max(free.begin, run.end());
+            free.begin = std::max(free.begin, used.end);
         else
-            free.end = std::min(free.end, run.begin);
+            free.end = std::min(free.end, used.begin);
     }
     return free;
 }
@@ -85,9 +90,14 @@ void part_neighbors(std::vector<CyclicStretch>& cuts) {
     for (CyclicStretch& cut : cuts) {
         if (!cut.claimed())
             continue;
-        if (before != nullptr && before->borders.back() > cut.borders.front())
-            before->borders.back() = cut.borders.front() =
-                (before->borders.back() + cut.borders.front()) / 2;
+        if (before != nullptr && before->borders.back() > cut.borders.front()) {
+            const double middle = (before->borders.back() + cut.borders.front()) / 2;
+            if (middle <= before->borders[before->borders.size() - 2] || middle >= cut.borders[1]) {
+                cut.doubt = "it overlaps the cycles before";
+                continue;
+            }
+            before->borders.back() = cut.borders.front() = middle;
+        }
         before = &cut;
     }
 }
@@ -361,6 +371,8 @@ std::vector<Part> undecided(const Signal& signal, const Borders& borders,
 /// Gain of the border between the parts, in units of the price of a border.
 double gain_of(const KernelFeatures& features, Rows before, Rows after) {
     const std::int64_t step = features.step(), begin = after.begin / step;
+    if (before.begin / step == begin) // less than a moment
+        return 0;
     return features.gain(before.begin / step, begin,
                          std::max(begin + 1, std::min(after.end / step, features.count()))) /
            border_price;

@@ -205,7 +205,7 @@ PhaseCurve trace_view(ConstMatrixView samples, RowProgress& progress, const Valu
     result.curve.assign(static_cast<std::size_t>(samples.rows), 0);
     result.partner = result.curve;
     const auto starts = chunk_starts(samples.rows);
-    std::int64_t first_end = 0; // of the chunk that the others continue
+    Rows first{0, 0}; // of the chunk that the others continue: the first one with an embedding
     for (std::size_t c = 0; c < starts.size(); ++c) {
         const auto begin = static_cast<std::size_t>(starts[c]);
         const std::int64_t end = c + 1 == starts.size() ? samples.rows : starts[c] + chunk;
@@ -217,15 +217,16 @@ PhaseCurve trace_view(ConstMatrixView samples, RowProgress& progress, const Valu
             continue;
         const std::size_t own = simplest(embedded.pairs);
         Choice chosen{embedded.pairs[own].first, 0, embedded.pairs[own].cyclicity};
-        if (first_end > 0) {
-            const Values mean =
-                repeated_mean(std::span(result.curve).first(static_cast<std::size_t>(first_end)),
-                              end - starts[c]);
+        if (first.end > 0) {
+            const Values mean = repeated_mean(std::span(result.curve)
+                                                  .subspan(static_cast<std::size_t>(first.begin),
+                                                           static_cast<std::size_t>(first.count())),
+                                              end - starts[c]);
             if (Choice turn = best_turn(embedded.pairs, mean);
                 turn.correlation >= least_correlation)
                 chosen = std::move(turn);
-        } else if (c == 0) {
-            first_end = end;
+        } else {
+            first = {starts[c], end};
             result.fit = std::move(embedded.fits[own]);
             result.coordinate = embedded.pairs[own].column;
         }
@@ -242,9 +243,9 @@ PhaseCurve trace_view(ConstMatrixView samples, RowProgress& progress, const Valu
 }
 
 /// What varies more slowly than the period, such as sway, taken out.
-Matrix high_passed(const Matrix& samples) {
-    const Matrix slow =
-        gaussian_smoothed(samples.view(), slow_periods * samples_per_period, Beyond::nothing);
+Matrix high_passed(const Matrix& samples, const std::function<void()>& poll) {
+    const Matrix slow = gaussian_smoothed(samples.view(), slow_periods * samples_per_period,
+                                          Beyond::nothing, 1, poll);
     Matrix fast = samples;
     axpy(-1, slow.data(), fast.data(), fast.rows() * fast.cols());
     return fast;
@@ -270,7 +271,8 @@ PhaseCurve trace_phase(const Signal& signal, const Growth& growth, RowProgress& 
     }
     PhaseCurve curve = trace_view(samples.view(), progress, places);
     if (curve.typical_cyclicity() < good_cyclicity) {
-        PhaseCurve view = trace_view(high_passed(samples).view(), progress, places);
+        PhaseCurve view =
+            trace_view(high_passed(samples, progress.poll()).view(), progress, places);
         if (view.typical_cyclicity() > curve.typical_cyclicity() + clearly_better)
             curve = std::move(view);
     }

@@ -204,7 +204,9 @@ Signal make_signal(ConstMatrixView samples, double fps, double smoothed_s, doubl
         signal.speed =
             speeds(signal.velocity, std::hypot(speed_smoothing_s * signal.rate, more), poll);
         poll();
-        noise = std::sqrt(rough * noise_in_velocities(smoothed_s * signal.rate, more, sigma));
+        noise = rough > 0
+                    ? std::sqrt(rough * noise_in_velocities(smoothed_s * signal.rate, more, sigma))
+                    : 0;
         all = typical(signal.speed);
         if (noise <= most_noise * all)
             break;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -38,7 +39,7 @@ constexpr double golden_angle = 2.399963229728653;
 constexpr double posture_s = 0.3;
 /// A stretch that is longer than this share of its part is the only one.
 constexpr double most_of_part = 0.7;
-/// Sigma of the smoothing of the coordinate as a share of a cycle (motion/decompose.cpp).
+/// Sigma of the smoothing of the coordinate as a share of a cycle.
 constexpr double curve_smoothing = 0.06;
 /// Least height of a swing of the coordinate between its margins, as a share of its extent.
 constexpr double prominence = 0.25;
@@ -81,19 +82,19 @@ void trim(const std::vector<Rows>& rests, Growth& growth) {
     run.begin = begin;
 }
 
-/// The rests beside the motion.
+/// The rests beside the motion, which touch the rows it may have.
 struct Beside {
     std::optional<Rows> before, after;
 };
 
-Beside rests_beside(const std::vector<Rows>& rests, const Growth& growth) {
+Beside rests_beside(const std::vector<Rows>& rests, const Growth& growth, Rows within) {
     const auto reach = static_cast<std::int64_t>(near_rest * growth.mean.period);
     const std::int64_t begin = growth.run.begin, end = growth.run.end();
     Beside beside;
     for (const Rows& rest : rests) {
-        if (rest.begin < begin && rest.end >= begin - reach)
+        if (rest.begin < begin && rest.end >= std::max(begin - reach, within.begin))
             beside.before = rest;
-        if (rest.end > end && rest.begin <= end + reach && !beside.after)
+        if (rest.end > end && rest.begin <= std::min(end + reach, within.end) && !beside.after)
             beside.after = rest;
     }
     return beside;
@@ -255,8 +256,8 @@ std::vector<double> borders_at_margins(const Signal& signal, const Growth& growt
     std::pair most{-std::numeric_limits<double>::infinity(), 0.0};
     for (const double margin : margins_of(curve)) {
         const double phase = margin + curve.first_phase;
-        // Without sides of the body, either half of a cycle may come first: the one of more cycles.
-        const double counts = signal.side.empty() && !cut_off ? count_of(after_of(phase)) : 0;
+        // Either half of a cycle may come first: rather that of more cycles.
+        const double counts = cut_off ? 0 : count_of(after_of(phase));
         if (const std::pair value{counts, preference_for(signal, growth, phase)}; value > most) {
             most = value;
             after = after_of(phase);
@@ -278,6 +279,10 @@ std::vector<double> borders_at_margins(const Signal& signal, const Growth& growt
 std::string decide(const StillRows& still, double rate, CyclicStretch& cut) {
     std::vector<double>& sure = cut.confidences;
     const double seconds = cut.growth.mean.period / rate;
+    if (sure.empty())
+        return format_text("less than one cycle: the motion repeats after {:.2f} s, but holds none "
+                           "from margin to margin",
+                           seconds);
     std::size_t first = 0, last = sure.size();
     while (first < last && sure[first] < min_confidence)
         ++first;
@@ -330,19 +335,21 @@ CyclicStretch cut_stretch(const Signal& signal, const Stretch& stretch, Rows par
     if (growth.run.rows() > 1)
         trim(still.rests, growth);
     if (const auto home = growth.run.rows() > 1
-                              ? home_of(signal, rests_beside(still.rests, growth), growth)
+                              ? home_of(signal, rests_beside(still.rests, growth, within), growth)
                               : std::nullopt) {
         cut.borders = borders_from_home(growth, *home);
         cut.from_rest = home->from.has_value();
         cut.to_rest = home->to.has_value();
     }
     if (cut.borders.size() < 3 && growth.turns() < min_turns) {
+        cut.borders.clear();
         cut.doubt = format_text("a repetition after {:.2f} s lasts less than {} periods",
                                 motion::median(stretch.period) / signal.rate, min_turns);
         return cut;
     }
     if (cut.borders.size() < 3 && growth.turns() < few_turns &&
         stretch.quality < min_quality_of_few) {
+        cut.borders.clear();
         cut.doubt = format_text("low quality: it resembles itself most after {:.2f} s, but with a "
                                 "quality of only {:.3f}, below {} (1: it repeats)",
                                 motion::median(stretch.period) / signal.rate, stretch.quality,
@@ -351,7 +358,8 @@ CyclicStretch cut_stretch(const Signal& signal, const Stretch& stretch, Rows par
     }
     cut.phase = trace_phase(signal, growth, progress);
     if (cut.borders.size() < 2) {
-        const Beside beside = rests_beside(still.rests, growth);
+        cut.from_rest = cut.to_rest = false;
+        const Beside beside = rests_beside(still.rests, growth, within);
         const bool cut_off = !beside.before && !beside.after &&
                              static_cast<double>(growth.run.rows()) >
                                  most_of_part * static_cast<double>(part.count());

@@ -103,7 +103,7 @@ def to_xarray(result: Decomposition, dataset: Any) -> Any:
 def _dataset(xarray: Any, result: Decomposition) -> Any:
     clip, frames = result.clip, result.frames
     curve = np.full(len(clip), np.nan)
-    coords = np.full((len(clip), result.dimension), np.nan)
+    coords = np.full((len(clip), 2), np.nan)
     curve[frames], coords[frames] = result.curve, result.coords
     time = np.arange(len(clip)) / (clip.fps or 1.0)
     return xarray.Dataset(
