@@ -57,14 +57,14 @@ fn swings() -> Clip {
 
 #[test]
 fn of_a_decomposition() {
-    let found = swings().decompose(&Options::new().window(50)).unwrap();
+    let found = swings().decompose(&Options::new()).unwrap();
     let (info, json) = (found.info(), found.json().unwrap());
     let (samples, parameters) = (after(&json, "samples"), after(&json, "parameters"));
     assert_eq!(info.samples, count(samples, "count"));
     assert_eq!(info.first_frame, count(samples, "first_frame"));
     assert_eq!((info.frame_step, info.fps), (2, 30.0));
     assert_eq!(info.neighbors, count(parameters, "neighbors"));
-    assert_eq!(info.window, 50);
+    assert_eq!(info.window, count(parameters, "window"));
     assert_eq!(info.dimension, count(&json, "tangent_dimension"));
     assert_eq!(info.coordinate, Some(count(&json, "coordinate")));
     assert_eq!(info.period, Some(real(&json, "period_s")));

@@ -184,9 +184,12 @@ def loop(result: Decomposition, *, ax: Axes | None = None, numbers: int = 24) ->
                 directed = cycle
                 draw(axes, cycle, color=color_of("cycle"), linewidth=WIDE, alpha=0.45)
         for unit, at in unit_slices(result):
+            piece = coords[at][np.isfinite(coords[at]).all(axis=1)]  # outside cycles there is none
+            if len(piece) < 2:
+                continue
             draw(
                 axes,
-                coords[at],
+                piece,
                 color=color_of(unit.kind),
                 linewidth=MANY if dense else 0.8 * CURVE,
                 alpha=0.25 if dense else 1.0,
