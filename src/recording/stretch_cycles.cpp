@@ -243,10 +243,9 @@ double preference_for(const Signal& signal, const Growth& growth, double margin)
     return count > 0 ? sum / count : 0;
 }
 
-/// Cycles from one preferred margin to the next. A recording that is cut off at both ends of one
-/// motion has as many as whole turns: they begin as near to the margin as this allows. Beside a
-/// rest or another motion there are the first and the last steps instead (initial and final unit),
-/// and all stretches of a motion begin at the same margin.
+/// Cycles from one margin to the next of its kind. A motion that is cut off at both ends has as
+/// many as it has whole turns: they begin as near to the preferred margin as this allows. Otherwise
+/// there are the first and the last steps beside them (initial and final unit).
 std::vector<double> borders_at_margins(const Signal& signal, const Growth& growth,
                                        const PhaseCurve& curve, bool cut_off) {
     const double first = growth.run.phase.front(), turns = growth.turns();
