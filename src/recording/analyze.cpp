@@ -77,8 +77,10 @@ Recording analyze(ConstMatrixView samples, double fps, const Options& options,
     }
     const double seconds = static_cast<double>(samples.rows) / fps;
     Signal signal = make_signal(samples, fps, options.smoothed_s, options.size, progress);
-    if (!options.side.empty())
+    if (!options.side.empty()) {
         signal.side = side_motion(signal, samples, options.side);
+        signal.begin_with_side = options.begin_with_side;
+    }
     const std::vector<Rows> holes = rows_of(options.holes, signal);
     std::vector<Rows> rests = find_rests(signal);
     Pauses pauses = find_pauses(signal, rests);

@@ -103,6 +103,9 @@ struct Options {
     /// One weight for each column of the samples: positive where the sum of weighted velocities is,
     /// one side of the body moves forward. Empty: the body is unknown.
     std::vector<double> side;
+    /// Whether cycles begin with the same side even if that costs one: the sides of a skeleton are
+    /// known, those of points depend on names and layout.
+    bool begin_with_side = true;
     std::vector<Hole> holes; ///< ascending
     // For messages only.
     std::string jump; ///< where the pose jumps; empty: nowhere

@@ -17,6 +17,7 @@ struct Signal {
     std::vector<double> usual; ///< typical speed within some seconds of each row; 0: nothing moves
     std::vector<double> near_usual; ///< the same within less time, but not far below `usual`
     std::vector<double> side;       ///< see side_motion(); empty: unknown
+    bool begin_with_side = false;   ///< see Options
     double rate = 0;                ///< rows a second
     std::int64_t step = 1;          ///< samples per row
     Matrix directions;              ///< columns of the samples x columns of poses

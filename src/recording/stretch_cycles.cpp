@@ -256,7 +256,7 @@ std::vector<double> borders_at_margins(const Signal& signal, const Growth& growt
     for (const double margin : margins_of(curve)) {
         const double phase = margin + curve.first_phase;
         // Either half of a cycle may come first: rather that of more cycles.
-        const double counts = cut_off ? 0 : count_of(after_of(phase));
+        const double counts = cut_off || signal.begin_with_side ? 0 : count_of(after_of(phase));
         if (const std::pair value{counts, preference_for(signal, growth, phase)}; value > most) {
             most = value;
             after = after_of(phase);

@@ -323,6 +323,7 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
     options.size = body_size(samples.features, prepared.samples);
     options.holes = holes_of(prepared);
     options.side = side_weights_of(clip, samples, prepared.samples.view());
+    options.begin_with_side = samples.features != clip::Features::points;
     recording::Recording found =
         recording::analyze(prepared.samples.view(), fps, options, progress);
     Decomposed made;
