@@ -49,9 +49,8 @@ fn frames_of_cycles_have_phases() {
 fn motions_are_compared() {
     let clip = common::walker();
     let options = Options::new();
-    let phase = |clip: &stltsa::Clip| {
-        Phase::find(&clip.decompose(&options).unwrap(), &options).unwrap()
-    };
+    let phase =
+        |clip: &stltsa::Clip| Phase::find(&clip.decompose(&options).unwrap(), &options).unwrap();
     let (whole, part) = (phase(&clip), phase(&clip.stretch("200-", &options).unwrap()));
     let found = whole.compare(&part, Some(0), None, 51).unwrap();
     assert!(found.likeness > 0.99 && found.shift.abs() < 0.02);
