@@ -17,9 +17,10 @@ struct WeightedRows {
 
     template <int W>
     STLTSA_INLINE void run() const {
+        constexpr std::int64_t at_once = std::int64_t{4} * W;
         std::int64_t c = 0;
-        for (; c + 4 * W <= rows.cols; c += 4 * W)
-            add<Pack<W>, 4 * W, 4>(c);
+        for (; c + at_once <= rows.cols; c += at_once)
+            add<Pack<W>, at_once, 4>(c);
         for (; c + W <= rows.cols; c += W)
             add<Pack<W>, W, 1>(c);
         for (; c < rows.cols; ++c)
@@ -28,12 +29,12 @@ struct WeightedRows {
 
   private:
     /// The columns from c on: `count` packs, `width` columns in all.
-    template <class P, int width, int count>
+    template <class P, std::int64_t width, std::int64_t count>
     STLTSA_INLINE void add(std::int64_t c) const {
-        constexpr int each = width / count;
+        constexpr std::int64_t each = width / count;
         P sum[count];
         [[maybe_unused]] P middle[count];
-        for (int k = 0; k < count; ++k) {
+        for (std::int64_t k = 0; k < count; ++k) {
             sum[k] = load<P>(out + c + k * each);
             if constexpr (centered)
                 middle[k] = load<P>(center + c + k * each);
@@ -41,13 +42,13 @@ struct WeightedRows {
         for (std::int64_t r = 0; r < rows.rows; ++r) {
             const double weight = weights[r * step];
             const double* row = rows.row(r) + c;
-            for (int k = 0; k < count; ++k)
+            for (std::int64_t k = 0; k < count; ++k)
                 if constexpr (centered)
                     sum[k] += weight * (load<P>(row + k * each) - middle[k]);
                 else
                     sum[k] += weight * load<P>(row + k * each);
         }
-        for (int k = 0; k < count; ++k)
+        for (std::int64_t k = 0; k < count; ++k)
             store(sum[k], out + c + k * each);
     }
 };

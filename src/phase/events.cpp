@@ -148,7 +148,7 @@ double refined(const Searched& in, double row, const Template& like, const Rows&
         in.poll();
     PacedPoll polls(in.poll);
     // Windows overlap: offsets are whole places.
-    const auto count = static_cast<std::int64_t>((end - begin) * places + 0.5) + 1;
+    const auto count = std::llround((end - begin) * places) + 1;
     const std::int64_t step =
         offsets.size() < 2 ? 1 : std::llround((offsets[1] - offsets[0]) * places);
     Matrix strip = Matrix::unset(count + (std::ssize(offsets) - 1) * step, in.fine.cols());
