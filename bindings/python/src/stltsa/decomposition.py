@@ -588,18 +588,21 @@ class Decomposition(Described):
 
     @property
     def neighbors(self) -> int:
-        """Neighbors (k) of the fit, in samples of 24 per cycle."""
-        return self._int("neighbors")
+        """Neighbors (k) of the fit, in samples of 24 per cycle; 0 if nothing is cyclic."""
+        return self._of_fit("neighbors")
 
     @property
     def window(self) -> int:
-        """Window (w) of the fit, in samples of 24 per cycle."""
-        return self._int("window")
+        """Window (w) of the fit, in samples of 24 per cycle; 0 if nothing is cyclic."""
+        return self._of_fit("window")
 
     @property
     def dimension(self) -> int:
-        """Tangent dimension of the fit."""
-        return self._int("dimension")
+        """Tangent dimension of the fit; 0 if nothing is cyclic."""
+        return self._of_fit("dimension")
+
+    def _of_fit(self, name: str) -> int:
+        return int(next(iter(self._fact(name)), 0))
 
     @property
     def reason(self) -> str:

@@ -67,11 +67,11 @@ pub struct DecompositionInfo {
     pub first_frame: usize,
     /// See `first_frame`.
     pub frame_step: usize,
-    /// k of the fit, in samples of 24 per cycle.
+    /// k of the fit, in samples of 24 per cycle; 0 if nothing is cyclic.
     pub neighbors: usize,
-    /// w of the fit, in samples of 24 per cycle.
+    /// w of the fit, in samples of 24 per cycle; 0 if nothing is cyclic.
     pub window: usize,
-    /// Tangent dimension of the fit.
+    /// Tangent dimension of the fit; 0 if nothing is cyclic.
     pub dimension: usize,
     /// Coordinate of the fit whose margins count, from 1; `None`: none.
     pub coordinate: Option<usize>,
@@ -415,6 +415,7 @@ impl DecompositionInfo {
         // SAFETY: a live handle.
         let facts = unsafe { Facts::new(sys::stltsa_decomposition_info(handle.raw())) };
         let int = |key| count(facts.int(key, 0)?);
+        let of_fit = |key| facts.ints(key)?.first().map_or(Ok(0), |value| count(*value));
         let real = |key| facts.real(key, 0);
         let features = int(Fact::Features)? as i32;
         let coordinate = int(Fact::Coordinate)?;
@@ -423,9 +424,9 @@ impl DecompositionInfo {
             samples: int(Fact::Rows)?,
             first_frame: int(Fact::FirstFrame)?,
             frame_step: int(Fact::FrameStep)?,
-            neighbors: int(Fact::Neighbors)?,
-            window: int(Fact::Window)?,
-            dimension: int(Fact::Dimension)?,
+            neighbors: of_fit(Fact::Neighbors)?,
+            window: of_fit(Fact::Window)?,
+            dimension: of_fit(Fact::Dimension)?,
             coordinate: Some(coordinate).filter(|column| *column > 0),
             features: Features::from_raw(features),
             period: Some(period).filter(|period| *period != 0.0),
