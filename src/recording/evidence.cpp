@@ -59,8 +59,9 @@ phase::Range rows_in(const phase::Run& run, const Interval& cycle) {
     return {row(cycle.begin), row(cycle.end)};
 }
 
-/// Mean deviation of the rows of the cycle from the mean of the others at the same phase; NaN if
-/// there are no others.
+/// Mean squared deviation of the rows of the cycle from the mean cycle, of which n cycles are a
+/// part: times n / (n - 1), which the weights above were fitted with. NaN if no row has another
+/// cycle.
 double deviation_of(const Growth& growth, const Interval& cycle) {
     const phase::Run& run = growth.run;
     double sum = 0, count = 0;
