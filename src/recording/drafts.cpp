@@ -97,6 +97,7 @@ void append_cyclic(const Signal& signal, const Part& part, const std::vector<Row
         draft.begin = begin_of(cut, rests, limit, signal.rate);
         draft.end = end_of(cut, rests, next, signal.rate);
         draft.stretches = {cut};
+        draft.candidate_period = cut.stretch.other_period;
         draft.gain = draft.begin <= static_cast<double>(part.rows.begin) ? part.gain : 0;
         limit = draft.end;
         first = false;

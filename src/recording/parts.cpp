@@ -65,7 +65,7 @@ Stretch within(Stretch stretch, Rows range) {
     if (rows.count() < 1)
         return {};
     const auto first = stretch.period.begin() + (rows.begin - stretch.rows.begin);
-    return {rows, {first, first + rows.count()}, stretch.quality};
+    return {rows, {first, first + rows.count()}, stretch.quality, stretch.other_period};
 }
 
 /// Refuses loops within a longer period beside them.

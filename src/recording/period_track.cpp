@@ -36,6 +36,12 @@ constexpr double about_as_good = 0.15;
 constexpr double clear_minimum = 0.25;
 constexpr double shortest_fraction = 0.12;
 constexpr double longest_fraction = 0.8;
+/// Turns that match better than this are all alike. A multiple of them is the period if it matches
+/// nearly as well as they do, and the multiples below it clearly less.
+constexpr double near_match = 0.9;
+constexpr double nearly_as_good = 0.1;
+constexpr double clear_rise = 0.12;
+constexpr double off_multiple = 0.4;
 /// Lags that differ more from one moment to the next, on a log scale, are of two stretches.
 constexpr double same_stretch = 0.15;
 /// Shorter lags than the shortest period are needed to see the match fall before it rises.
@@ -152,34 +158,67 @@ double match_at(const LagMap& map, std::int64_t time, double lag) {
            part * static_cast<double>(map.at(time, above));
 }
 
-/// The part of the tracked lags that is the period: 1, or less if a shorter one matches about as
-/// well most of the time.
-double octave(const LagMap& map, double shortest, std::int64_t first,
+/// The median match of the tracked lags, each multiplied by the factor.
+double usual_match(const LagMap& map, std::int64_t first, const std::vector<double>& lags,
+                   double factor) {
+    std::vector<double> matches;
+    for (std::size_t i = 0; i < lags.size(); ++i)
+        matches.push_back(match_at(map, first + static_cast<std::int64_t>(i), factor * lags[i]));
+    return motion::median(matches);
+}
+
+/// Shares of the tracked lags: that which is the period, less than 1 if a shorter lag matches about
+/// as well most of the time; and the shortest that matches at all, 0 if none does.
+struct Octave {
+    double period = 1;
+    double shortest = 0;
+};
+
+Octave octave(const LagMap& map, double shortest, std::int64_t first,
               const std::vector<double>& lags) {
-    const auto usual_match = [&](double fraction) {
-        std::vector<double> matches;
-        for (std::size_t i = 0; i < lags.size(); ++i)
-            matches.push_back(
-                match_at(map, first + static_cast<std::int64_t>(i), fraction * lags[i]));
-        return motion::median(matches);
-    };
     constexpr double step = 0.03;
-    const double needed = usual_match(1) - about_as_good;
+    const double needed = usual_match(map, first, lags, 1) - about_as_good;
     const double below = map.lags.front() / motion::median(lags);
+    Octave found;
     double before = -1, here = -1, lowest = 1, fraction = 0;
     for (double x = std::log(std::max(shortest_fraction, below));
          x <= std::log(longest_fraction) + 2 * step; x += step) {
-        const double after = usual_match(std::exp(x));
+        const double after = usual_match(map, first, lags, std::exp(x));
         if (fraction > 0 && fraction <= longest_fraction && here >= before && here >= after &&
-            here >= needed && here - lowest >= clear_minimum &&
-            fraction * motion::median(lags) >= shortest)
-            return fraction;
+            here - lowest >= clear_minimum && fraction * motion::median(lags) >= shortest) {
+            if (here >= needed)
+                return {fraction, fraction};
+            if (here >= none_score && found.shortest == 0)
+                found.shortest = fraction;
+        }
         before = here;
         here = after;
         fraction = std::exp(x);
         lowest = std::min(lowest, here);
     }
-    return 1;
+    return found;
+}
+
+/// The multiple of the tracked lags that is the period: 1, or more if the turns are like each other
+/// only, as those of a spiral are: less and less with each turn, and then again.
+double multiple(const LagMap& map, std::int64_t first, const std::vector<double>& lags) {
+    const double once = usual_match(map, first, lags, 1);
+    const double most = map.lags.back() / motion::median(lags);
+    double lowest = once, best = once - nearly_as_good, result = 1;
+    for (double turns = 2; once < near_match && turns <= most; ++turns) {
+        double match = -1, at = turns;
+        for (double off = -off_multiple; off <= off_multiple; off += off_multiple / 4)
+            if (const double found = usual_match(map, first, lags, turns + off); found > match) {
+                match = found;
+                at = turns + off;
+            }
+        if (match >= best && match >= lowest + clear_rise) {
+            best = match + clear_rise / 2;
+            result = at;
+        }
+        lowest = std::min(lowest, match);
+    }
+    return result;
 }
 
 /// The lags at the map's times, linear between them and smoothed.
@@ -205,14 +244,18 @@ Stretch make_stretch(const LagMap& map, std::size_t first_state, std::int64_t be
         const std::size_t lag = first_state + path[static_cast<std::size_t>(t)];
         lags.push_back(map.lags[lag]);
     }
-    const double fraction = octave(map, map.lags[first_state], begin, lags);
-    std::vector<double> matches;
-    for (std::size_t i = 0; i < lags.size(); ++i) {
-        lags[i] *= fraction;
-        matches.push_back(match_at(map, begin + static_cast<std::int64_t>(i), lags[i]));
-    }
     Stretch stretch;
-    stretch.quality = motion::median(matches);
+    const Octave octaves = octave(map, map.lags[first_state], begin, lags);
+    const double tracked = motion::median(lags);
+    for (double& lag : lags)
+        lag *= octaves.period;
+    const double turns = multiple(map, begin, lags);
+    for (double& lag : lags)
+        lag *= turns;
+    stretch.other_period = turns > 1            ? tracked * octaves.period
+                           : octaves.period < 1 ? tracked
+                                                : tracked * octaves.shortest;
+    stretch.quality = usual_match(map, begin, lags, 1);
     stretch.rows = {range.begin + begin * map.hop,
                     end == map.times ? range.end : range.begin + end * map.hop};
     stretch.period = per_row(lags, map.hop, stretch.rows.count());

@@ -20,6 +20,9 @@ struct Stretch {
     Rows rows;
     std::vector<double> period; ///< rows, for each of the rows
     double quality = 0;         ///< median match one period apart, at most 1
+    /// Rows: turns within the period that are like their neighbors, or a longer period that the
+    /// turns share; 0: none was seen.
+    double other_period = 0;
 };
 
 struct PeriodTrack {

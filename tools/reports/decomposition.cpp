@@ -65,8 +65,9 @@ std::string segment_remark(const stltsa::Decomposition& result, std::int64_t ind
         remark = fmt::format("{} of {:.2f} s", counted(segment.count, "cycle"), segment.period_s);
     else if (segment.kind == STLTSA_SEGMENT_REPETITIONS)
         remark = fmt::format("{} times", segment.count);
-    else if (segment.candidate_period_s > 0)
-        remark = fmt::format("perhaps every {:.2f} s", segment.candidate_period_s);
+    if (segment.candidate_period_s > 0)
+        remark += fmt::format("{}perhaps every {:.2f} s", remark.empty() ? "" : ", ",
+                              segment.candidate_period_s);
     if (segment.kind != STLTSA_SEGMENT_REST)
         remark +=
             fmt::format("{}confidence {:.2f}", remark.empty() ? "" : ", ", segment.confidence);
