@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "clip/features/point_names.hpp"
+#include "clip/features/strays.hpp"
 #include "clip/text/text_cursor.hpp"
 
 namespace stltsa::clip {
@@ -69,6 +70,21 @@ void note_gaps(const Clip& clip, int width, GapRule rule, const Gaps& gaps,
         notes.push_back(format_text("frames {} to {}: most {} are missing, so that no motion "
                                     "continues over them",
                                     hole.begin, hole.end - 1, groups));
+}
+
+void note_strays(const Clip& clip, int width, const std::vector<std::int64_t>& frames,
+                 std::vector<std::string>& notes) {
+    std::vector<std::int64_t> points;
+    std::int64_t all = 0;
+    for (std::int64_t point = 0; point < std::ssize(frames); ++point)
+        if (const std::int64_t count = frames[static_cast<std::size_t>(point)]; count > 0) {
+            points.push_back(point);
+            all += count;
+        }
+    if (!points.empty())
+        notes.push_back(format_text("points that jump away and back within {} s, taken as missing "
+                                    "there: {} ({} in all)",
+                                    longest_stray_s, listed(clip, width, points), all));
 }
 
 } // namespace stltsa::clip

@@ -14,4 +14,8 @@ namespace stltsa::clip {
 void note_gaps(const Clip& clip, int width, GapRule rule, const Gaps& gaps,
                std::vector<std::string>& notes);
 
+/// Says which points were made missing in how many frames by drop_strays().
+void note_strays(const Clip& clip, int width, const std::vector<std::int64_t>& frames,
+                 std::vector<std::string>& notes);
+
 } // namespace stltsa::clip

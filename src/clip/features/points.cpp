@@ -9,6 +9,7 @@
 #include "clip/features/point_heading.hpp"
 #include "clip/features/point_names.hpp"
 #include "clip/features/slow_part.hpp"
+#include "clip/features/strays.hpp"
 #include "clip/text/text_cursor.hpp"
 
 namespace stltsa::clip {
@@ -196,6 +197,9 @@ FeatureRows points(const Clip& clip, std::optional<Axis> up, GapRule rule,
     const std::int64_t values = clip.frames() * clip.values.cols();
     const int width = point_columns(clip);
     FeatureRows made{copied(clip.values.view()), Axis::none, false, {}, {}};
+    polls.did(values);
+    if (rule != GapRule::refuse)
+        note_strays(clip, width, drop_strays(made.rows, width, clip.fps), made.notes);
     polls.did(values);
     const Gaps gaps = fill_gaps(made.rows, width, rule, clip.fps);
     polls.did(values);

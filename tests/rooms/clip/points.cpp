@@ -405,6 +405,38 @@ void points_in_two_dimensions(void**) {
     check_same(side, features(flat(walker_in_place(), 0, 2), {}, {}), 1e-9);
 }
 
+/// The features with and without strays hardly differ, and the note counts them.
+void check_strays(const Clip& clip, const Clip& disturbed, const char* note) {
+    const FeatureRows made = feature_rows(disturbed, Features::points, Axis::z);
+    assert_true(std::ranges::any_of(
+        made.notes, [&](const std::string& each) { return each.find(note) != std::string::npos; }));
+    const Matrix off = difference(made.rows, rows(clip));
+    for (std::int64_t i = 0; i < off.rows() * off.cols(); ++i)
+        assert_true(std::abs(off.data()[i]) < 0.02);
+}
+
+void points_that_jump_away_and_back_are_missing(void**) {
+    const Clip clip = walker(20, [](double t) { return Place{1.3 * t}; });
+    Clip disturbed = clip;
+    for (const std::int64_t frame : {100, 101, 200, 333})
+        disturbed.values(frame, 3 * 4 + 1) += 1;
+    for (const std::int64_t frame : {100, 102, 700}) // exchanged
+        for (std::int64_t c = 0; c < 3; ++c)
+            std::swap(disturbed.values(frame, c), disturbed.values(frame, 3 * 9 + c));
+    check_strays(clip, disturbed, "taken as missing there: 'm0', 'm4', 'm9' (10 in all)");
+}
+
+void fast_motion_is_no_stray(void**) {
+    Clip clip = walker_in_place();
+    for (std::int64_t i = 0; i < 15; ++i) // a punch of 0.25 s
+        clip.values(300 + i, 3 * 4) +=
+            0.3 * (1 - std::cos(std::numbers::pi * static_cast<double>(i + 1) / 8));
+    for (std::int64_t i = 600; i < clip.frames(); ++i) // and a point that is somewhere else now
+        clip.values(i, 3 * 7) += 0.5;
+    for (const std::string& note : feature_rows(clip, Features::points, Axis::z).notes)
+        assert_true(note.find("jump") == std::string::npos);
+}
+
 } // namespace
 
 int main() {
@@ -430,6 +462,8 @@ int main() {
         cmocka_unit_test(long_gaps_are_predicted),
         cmocka_unit_test(holes_are_found),
         cmocka_unit_test(points_in_two_dimensions),
+        cmocka_unit_test(points_that_jump_away_and_back_are_missing),
+        cmocka_unit_test(fast_motion_is_no_stray),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clip/features/strays.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "clip/clip.hpp"
+#include "clip/features/point_names.hpp"
+#include "linalg/simd.hpp"
+
+namespace stltsa::clip {
+namespace {
+
+/// A stray point is farther from the straight line between the frames beside it than this share of
+/// the body's size, and than the largest acceleration of a limb takes it: sizes per second squared.
+/// A size is about 0.4 m; punches and kicks reach 200 m/s^2, so about half as much as here.
+constexpr double least_away = 0.1;
+constexpr double most_acceleration = 1000;
+constexpr std::int64_t frames_measured = 100;
+
+/// The points of one clip.
+class Paths {
+  public:
+    Paths(Matrix& rows, int width, double fps)
+        : rows_(rows), width_(width), fps_(fps), size_(median_size()) {}
+
+    bool measurable() const { return size_ > 0; }
+    std::int64_t count() const { return rows_.cols() / width_; }
+
+    /// Makes the strays of the point NaN; returns their number.
+    std::int64_t drop(std::int64_t point) {
+        std::int64_t dropped = 0, last = -1; // the last frame at which it is known and no stray
+        for (std::int64_t i = 0; i < rows_.rows(); ++i) {
+            if (is_missing(at(i, point), width_))
+                continue;
+            if (const std::int64_t end = last == i - 1 && i > 0 ? end_of_strays(i, point) : i;
+                end > i) {
+                for (; i < end; ++i, ++dropped)
+                    std::fill_n(at(i, point), width_, std::numeric_limits<double>::quiet_NaN());
+            }
+            last = i;
+        }
+        return dropped;
+    }
+
+  private:
+    double* at(std::int64_t frame, std::int64_t point) { return rows_.row(frame) + width_ * point; }
+
+    /// Root mean square distance of the points from their mean, of the usual frame.
+    double median_size() {
+        std::vector<double> sizes;
+        const std::int64_t step = 1 + (rows_.rows() - 1) / frames_measured;
+        for (std::int64_t i = 0; i < rows_.rows(); i += step) {
+            double squares = 0, points = 0;
+            std::vector<double> sum(static_cast<std::size_t>(width_));
+            for (std::int64_t p = 0; p < count(); ++p) {
+                const double* point = at(i, p);
+                if (is_missing(point, width_))
+                    continue;
+                ++points;
+                for (int c = 0; c < width_; ++c) {
+                    sum[static_cast<std::size_t>(c)] += point[c];
+                    squares += point[c] * point[c];
+                }
+            }
+            for (const double each : sum)
+                squares -= each * each / points;
+            if (points >= static_cast<double>(least_points) && squares > 0)
+                sizes.push_back(std::sqrt(squares / points));
+        }
+        if (sizes.empty())
+            return 0;
+        const auto middle = sizes.begin() + std::ssize(sizes) / 2;
+        std::ranges::nth_element(sizes, middle);
+        return *middle;
+    }
+
+    /// The frame at which the point that left its path at `first` is back on it; `first`: it is no
+    /// stray.
+    std::int64_t end_of_strays(std::int64_t first, std::int64_t point) {
+        const std::int64_t before = first - 1;
+        for (std::int64_t end = first + 1; end < rows_.rows(); ++end) {
+            const double half = static_cast<double>(end - before) / (2 * fps_);
+            if (2 * half > longest_stray_s)
+                break;
+            if (is_missing(at(end, point), width_))
+                break;
+            // Farther than the frames beside it are apart, or one of those is the stray.
+            const double away =
+                std::max(std::max(least_away, most_acceleration * half * half / 2) * size_,
+                         std::sqrt(squared_distance(at(before, point), at(end, point), width_)));
+            bool all = true;
+            for (std::int64_t i = first; i < end && all; ++i)
+                all = distance_from_line(before, i, end, point) > away;
+            if (all)
+                return end;
+        }
+        return first;
+    }
+
+    double distance_from_line(std::int64_t before, std::int64_t frame, std::int64_t end,
+                              std::int64_t point) {
+        const double share =
+            static_cast<double>(frame - before) / static_cast<double>(end - before);
+        const double *a = at(before, point), *b = at(end, point), *x = at(frame, point);
+        double squares = 0;
+        for (int c = 0; c < width_; ++c) {
+            const double off = x[c] - (1 - share) * a[c] - share * b[c];
+            squares += off * off;
+        }
+        return std::sqrt(squares);
+    }
+
+    Matrix& rows_;
+    int width_;
+    double fps_;
+    double size_;
+};
+
+} // namespace
+
+std::vector<std::int64_t> drop_strays(Matrix& rows, int width, double fps) {
+    if (rows.cols() / width < least_points || !(fps > 0))
+        return {};
+    Paths paths(rows, width, fps);
+    std::vector<std::int64_t> frames;
+    for (std::int64_t point = 0; paths.measurable() && point < paths.count(); ++point)
+        frames.push_back(paths.drop(point));
+    return frames;
+}
+
+} // namespace stltsa::clip
