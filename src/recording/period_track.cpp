@@ -38,7 +38,7 @@ constexpr double shortest_fraction = 0.12;
 constexpr double longest_fraction = 0.8;
 /// Turns that match better than this are all alike. A multiple of them is the period if it matches
 /// nearly as well as they do, and the multiples below it clearly less.
-constexpr double near_match = 0.9;
+constexpr double near_match = 0.8;
 constexpr double nearly_as_good = 0.1;
 constexpr double clear_rise = 0.12;
 constexpr double off_multiple = 0.4;
