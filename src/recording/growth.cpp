@@ -53,10 +53,9 @@ class Grower {
         phase_.resize(period_.size());
         both_ = phase::pose_and_velocity(signal.poses.view().block(rows_.begin, rows_.count()),
                                          signal.rate, typical_, poll);
-        poses_ = signal.cols();
         for (std::int64_t i = 0; i < both_.rows(); ++i) { // velocities per cycle at the local tempo
             const double tempo = period_[static_cast<std::size_t>(i)] / typical_;
-            for (std::int64_t c = poses_; c < both_.cols(); ++c)
+            for (std::int64_t c = signal.cols(); c < both_.cols(); ++c)
                 both_(i, c) *= tempo;
         }
     }
@@ -220,22 +219,22 @@ class Grower {
                 off(i, c) = both_(run.begin + i, c) - off(i, c);
             polls.did(both_.cols() * mean_.loop.coefficients.rows());
         }
-        // Sway: what the poses are off over the period around, or beside the row at an end.
+        // Sway: what is off over the period around, or beside the row at an end.
         const auto period =
             std::min<std::int64_t>(run.rows(), std::max<std::int64_t>(1, std::llround(typical_)));
-        std::vector<double> squares, sway(static_cast<std::size_t>(poses_));
+        std::vector<double> squares, sway(static_cast<std::size_t>(off.cols()));
         std::int64_t begin = 0, end = 0;
         for (std::int64_t i = 0; i < run.rows(); ++i) {
             const std::int64_t from =
                 std::clamp<std::int64_t>(i - period / 2, 0, run.rows() - period);
             for (; end < from + period; ++end)
-                axpy(1 / static_cast<double>(period), off.row(end), sway.data(), poses_);
+                axpy(1 / static_cast<double>(period), off.row(end), sway.data(), off.cols());
             for (; begin < from; ++begin)
-                axpy(-1 / static_cast<double>(period), off.row(begin), sway.data(), poses_);
+                axpy(-1 / static_cast<double>(period), off.row(begin), sway.data(), off.cols());
             const double all = dot(off.row(i), off.row(i), off.cols());
-            const double along = dot(off.row(i), sway.data(), poses_);
+            const double along = dot(off.row(i), sway.data(), off.cols());
             squares.push_back(
-                std::max(0.0, all - 2 * along + dot(sway.data(), sway.data(), poses_)) /
+                std::max(0.0, all - 2 * along + dot(sway.data(), sway.data(), off.cols())) /
                 mean_.loop.variance());
         }
         return squares;
@@ -247,7 +246,6 @@ class Grower {
     Range tracked_;              ///< the stretch, counted from rows_.begin as all that follows
     std::vector<double> period_; ///< of each row
     Matrix both_;
-    std::int64_t poses_ = 0; ///< columns of both_ that are poses
     Range grown_;
     std::vector<double> phase_; ///< of each row; known in grown_
     phase::MeanCycle mean_;
