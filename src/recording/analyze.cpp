@@ -98,7 +98,7 @@ Recording analyze(ConstMatrixView samples, double fps, const Options& options,
     std::vector<Draft> drafts = drafts_at(border_price);
     if (options.segments)
         fit_number(features, *options.segments, drafts_at, drafts);
-    set_labels(signal, features, drafts, poll_at(1));
+    set_labels(features, drafts, poll_at(1));
     if (!options.segments)
         join_neighbors(drafts);
     divide_at_holes(holes, signal.rate, drafts);

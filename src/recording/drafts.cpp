@@ -84,8 +84,7 @@ void append_cyclic(const Signal& signal, const Part& part, const std::vector<Row
             const double gap = cut.borders.front() - before.stretches.back().borders.back();
             if (gap < most_gap_periods * cut.period() &&
                 !rest_between(rests, before.stretches.back().borders.back(), cut.borders.front()) &&
-                compare_cycles(signal, before.stretches.back().cycles(), cut.cycles()) !=
-                    Verdict::different) {
+                may_be_one(before.stretches.back(), cut)) {
                 before.stretches.push_back(cut);
                 before.end = end_of(cut, rests, next, signal.rate);
                 limit = before.end;
@@ -416,11 +415,10 @@ Rows Draft::rows() const {
     return {first, std::max(first + 1, static_cast<std::int64_t>(std::lround(end)))};
 }
 
-std::vector<Interval> Draft::cycles() const {
-    std::vector<Interval> all;
-    for (const CyclicStretch& cut : stretches)
-        std::ranges::copy(cut.cycles(), std::back_inserter(all));
-    return all;
+const CyclicStretch* Draft::longest() const {
+    const auto found = std::ranges::max_element(
+        stretches, {}, [](const CyclicStretch& cut) { return cut.growth.run.rows(); });
+    return found == stretches.end() ? nullptr : &*found;
 }
 
 std::vector<Draft> make_drafts(const Signal& signal, const std::vector<Part>& parts,

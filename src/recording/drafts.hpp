@@ -29,7 +29,7 @@ struct Draft {
     std::string reason;
 
     Rows rows() const;
-    std::vector<Interval> cycles() const;
+    const CyclicStretch* longest() const; ///< null: it is not cyclic
 };
 
 /// Cover all rows of the signal. `poll` is called every few milliseconds and may throw.
@@ -37,7 +37,7 @@ std::vector<Draft> make_drafts(const Signal& signal, const std::vector<Part>& pa
                                const Pauses& pauses, const std::function<void()>& poll);
 
 /// Sets the labels of all that moves: the same motions share one. `poll`: of group().
-void set_labels(const Signal& signal, const KernelFeatures& features, std::vector<Draft>& drafts,
+void set_labels(const KernelFeatures& features, std::vector<Draft>& drafts,
                 const std::function<void()>& poll);
 
 /// Neighbors with one label that touch become one.

@@ -13,8 +13,7 @@ constexpr double same_behavior = 0.8;
 /// Distance of motions that are known to differ.
 constexpr double different = 1;
 
-double distance(const KernelFeatures& features, const Draft& a, const TypicalCycle& cycle_a,
-                const Draft& b, const TypicalCycle& cycle_b) {
+double distance(const KernelFeatures& features, const Draft& a, const Draft& b) {
     if (a.group >= 0 && a.group == b.group)
         return 0;
     if (a.kind != b.kind &&
@@ -23,27 +22,26 @@ double distance(const KernelFeatures& features, const Draft& a, const TypicalCyc
         return different;
     const double apart =
         1 - features.likeness(features.moments(a.rows()), features.moments(b.rows()));
-    if (apart <= 1 - same_behavior && compare_cycles(cycle_a, cycle_b) == Verdict::different)
+    const CyclicStretch *first = a.longest(), *second = b.longest();
+    if (apart <= 1 - same_behavior && first != nullptr && second != nullptr &&
+        !may_be_one(*first, *second))
         return different;
     return apart;
 }
 
 } // namespace
 
-void set_labels(const Signal& signal, const KernelFeatures& features, std::vector<Draft>& drafts,
+void set_labels(const KernelFeatures& features, std::vector<Draft>& drafts,
                 const std::function<void()>& poll) {
     std::vector<Draft*> moving;
     for (Draft& draft : drafts)
         if (draft.kind != SegmentKind::rest)
             moving.push_back(&draft);
-    std::vector<TypicalCycle> cycles;
-    for (const Draft* draft : moving)
-        cycles.push_back(typical_cycle(signal, draft->cycles()));
     const std::vector<int> labels = group(
         static_cast<std::int64_t>(moving.size()), 1 - same_behavior,
         [&](std::int64_t i, std::int64_t k) {
             const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(k);
-            return distance(features, *moving[a], cycles[a], *moving[b], cycles[b]);
+            return distance(features, *moving[a], *moving[b]);
         },
         poll);
     for (std::size_t i = 0; i < moving.size(); ++i)

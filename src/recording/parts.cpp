@@ -22,23 +22,14 @@ constexpr double like_neighbors = 0.8;
 /// this share of it, is a part of it, such as one of several turns within it.
 constexpr double min_periods_beside = 1.3;
 constexpr double shorter_period = 0.8;
-/// Cycles of two motions: their lengths differ by this ratio, or their mean cycles by so many
-/// deviations and so much of how far they move.
-constexpr double most_length_ratio = 1.2;
-constexpr double most_deviations = 3;
-constexpr double least_difference = 0.15;
-constexpr std::int64_t phases = 16;
 /// No behavior changes nearer to a hole than this, because the features of a border cover this much
 /// on each side. With holes of 1 s in walks (measure/gaps), 0.4 cycles fewer are lost than the hole
 /// touches; without separate parts, 1.0 more.
 constexpr double beside_hole_s = 1;
 /// The same beside a rest.
 constexpr double beside_rest_s = 0.5;
-/// Cycles nearest to a border that are compared over it, and of whole segments.
-constexpr std::size_t cycles_compared = 12;
 /// Time to each side of a border in which a join is judged.
 constexpr double judged_s = 60;
-constexpr std::size_t most_compared = 24;
 
 /// Rows around the stretch that no other one has taken; empty if one has taken all of it.
 Rows free_rows(Rows part, const Stretch& stretch, const std::vector<CyclicStretch>& taken) {
@@ -148,52 +139,15 @@ Part decide(const Signal& signal, Rows rows, const StillRows& still, const Perio
     return part;
 }
 
-TypicalCycle mean_cycle(const Signal& signal, std::vector<Interval> cycles) {
-    if (cycles.size() > most_compared) { // evenly over time
-        std::vector<Interval> some;
-        for (std::size_t i = 0; i < most_compared; ++i)
-            some.push_back(cycles[i * (cycles.size() - 1) / (most_compared - 1)]);
-        cycles.swap(some);
-    }
-    TypicalCycle mean;
-    mean.poses = Matrix(phases, signal.cols());
-    std::vector<Matrix> all;
-    const std::int64_t size = phases * signal.cols();
-    for (const Interval& cycle : cycles) {
-        all.push_back(rows_at(signal.poses.view(), cycle.begin, cycle.end, phases));
-        axpy(1 / static_cast<double>(cycles.size()), all.back().data(), mean.poses.data(), size);
-    }
-    for (const Matrix& poses : all)
-        mean.deviation += squared_distance(poses.data(), mean.poses.data(), size) /
-                          static_cast<double>(all.size() - 1);
-    std::vector<double> center(static_cast<std::size_t>(signal.cols()));
-    for (std::int64_t p = 0; p < phases; ++p)
-        axpy(1.0 / phases, mean.poses.row(p), center.data(), signal.cols());
-    // Without the mean pose, which sways: whether two motions have another is up to the features.
-    for (std::int64_t p = 0; p < phases; ++p) {
-        axpy(-1, center.data(), mean.poses.row(p), signal.cols());
-        mean.swing += dot(mean.poses.row(p), mean.poses.row(p), signal.cols());
-    }
-    return mean;
+const CyclicStretch* first_claimed(const Part& part) {
+    const auto found = std::ranges::find_if(part.stretches, &CyclicStretch::claimed);
+    return found == part.stretches.end() ? nullptr : &*found;
 }
 
-double median_length(const std::vector<Interval>& cycles) {
-    std::vector<double> lengths;
-    for (const Interval& cycle : cycles)
-        lengths.push_back(cycle.length());
-    return motion::median(lengths);
-}
-
-std::vector<Interval> last_of(std::vector<Interval> cycles) {
-    if (cycles.size() > cycles_compared)
-        cycles.erase(cycles.begin(), cycles.end() - static_cast<std::ptrdiff_t>(cycles_compared));
-    return cycles;
-}
-
-std::vector<Interval> first_of(std::vector<Interval> cycles) {
-    if (cycles.size() > cycles_compared)
-        cycles.resize(cycles_compared);
-    return cycles;
+const CyclicStretch* last_claimed(const Part& part) {
+    const auto found = std::find_if(part.stretches.rbegin(), part.stretches.rend(),
+                                    [](const CyclicStretch& cut) { return cut.claimed(); });
+    return found == part.stretches.rend() ? nullptr : &*found;
 }
 
 /// Joins neighboring parts of one behavior, the most alike first.
@@ -230,10 +184,11 @@ class Joiner {
             const double like = features_.likeness(features_.moments(a), features_.moments(b));
             if (like < like_neighbors)
                 continue;
-            const Verdict verdict = compare_cycles(signal_, last_of(parts_[i - 1].cycles()),
-                                                   first_of(parts_[i].cycles()));
-            if (verdict != Verdict::different)
-                found.emplace_back(like + (verdict == Verdict::same ? 1 : 0), b.begin);
+            const CyclicStretch* before = last_claimed(parts_[i - 1]);
+            const CyclicStretch* after = first_claimed(parts_[i]);
+            const bool both = before != nullptr && after != nullptr;
+            if (!both || may_be_one(*before, *after))
+                found.emplace_back(like + (both ? 1 : 0), b.begin);
         }
         std::ranges::stable_sort(found, std::greater<>(), &std::pair<double, std::int64_t>::first);
         std::vector<std::int64_t> rows;
@@ -386,41 +341,6 @@ std::vector<Interval> Part::cycles() const {
         if (cut.claimed())
             std::ranges::copy(cut.cycles(), std::back_inserter(all));
     return all;
-}
-
-TypicalCycle typical_cycle(const Signal& signal, const std::vector<Interval>& cycles) {
-    if (cycles.size() < 2)
-        return {};
-    TypicalCycle typical = mean_cycle(signal, cycles);
-    typical.length = median_length(cycles);
-    return typical;
-}
-
-Verdict compare_cycles(const TypicalCycle& a, const TypicalCycle& b) {
-    if (!(a.length > 0) || !(b.length > 0))
-        return Verdict::undecided;
-    const auto [less, more] = std::minmax({a.length, b.length});
-    if (more > most_length_ratio * less)
-        return Verdict::different;
-    double least = -1;
-    for (std::int64_t shift = 0; shift < phases; ++shift) {
-        double difference = 0;
-        for (std::int64_t p = 0; p < phases; ++p)
-            difference +=
-                squared_distance(a.poses.row(p), b.poses.row((p + shift) % phases), a.poses.cols());
-        if (least < 0 || difference < least)
-            least = difference;
-    }
-    const double deviation = (a.deviation + b.deviation) / 2;
-    const double swing = (a.swing + b.swing) / 2;
-    return least > most_deviations * most_deviations * deviation && least > least_difference * swing
-               ? Verdict::different
-               : Verdict::same;
-}
-
-Verdict compare_cycles(const Signal& signal, const std::vector<Interval>& a,
-                       const std::vector<Interval>& b) {
-    return compare_cycles(typical_cycle(signal, a), typical_cycle(signal, b));
 }
 
 std::vector<Part> divide(const Signal& signal, const Borders& borders, const StillRows& still,

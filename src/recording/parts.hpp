@@ -37,20 +37,4 @@ struct Borders {
 std::vector<Part> divide(const Signal& signal, const Borders& borders, const StillRows& still,
                          const PeriodRange& periods, const Progress& progress);
 
-enum class Verdict { same, different, undecided };
-
-/// The mean of cycles at equal phases, less its mean pose.
-struct TypicalCycle {
-    double length = 0; ///< median, rows; 0: there are fewer than two cycles
-    Matrix poses;
-    double deviation = 0; ///< mean squared deviation of a cycle
-    double swing = 0;     ///< squared extent
-};
-TypicalCycle typical_cycle(const Signal& signal, const std::vector<Interval>& cycles);
-
-/// Whether the cycles are of one motion, whatever the phase at which they begin.
-Verdict compare_cycles(const TypicalCycle& a, const TypicalCycle& b);
-Verdict compare_cycles(const Signal& signal, const std::vector<Interval>& a,
-                       const std::vector<Interval>& b);
-
 } // namespace stltsa::recording

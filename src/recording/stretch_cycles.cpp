@@ -39,6 +39,12 @@ constexpr double golden_angle = 2.399963229728653;
 constexpr double posture_s = 0.3;
 /// A stretch that is longer than this share of its part is the only one.
 constexpr double most_of_part = 0.7;
+/// Cycles of one motion: their lengths differ by less than this ratio, and their mean cycles by
+/// less than so many deviations, or so much of how far they move. Twice the last gives the same;
+/// without deviations, 13_30 loses a behavior (measure/recordings).
+constexpr double most_length_ratio = 1.2;
+constexpr double most_deviations = 3;
+constexpr double least_difference = 0.15;
 /// Sigma of the smoothing of the coordinate as a share of a cycle.
 constexpr double curve_smoothing = 0.06;
 /// Least height of a swing of the coordinate between its margins, as a share of its extent.
@@ -323,6 +329,20 @@ double CyclicStretch::period() const {
     for (const Interval& cycle : cycles())
         lengths.push_back(cycle.length());
     return motion::median(lengths);
+}
+
+bool may_be_one(const CyclicStretch& a, const CyclicStretch& b) {
+    const auto [less, more] = std::minmax(a.period(), b.period());
+    if (more > most_length_ratio * less)
+        return false;
+    const phase::Loop &first = a.growth.mean.loop, &second = b.growth.mean.loop;
+    const double one = first.variance(), other = second.variance();
+    const double apart =
+        one + other - 2 * phase::offset_between(first, second).likeness * std::sqrt(one * other);
+    const double deviation =
+        one * mean_of(a.growth.deviation) + other * mean_of(b.growth.deviation);
+    return apart < most_deviations * most_deviations * deviation / 2 ||
+           apart < least_difference * (one + other) / 2;
 }
 
 CyclicStretch cut_stretch(const Signal& signal, const Stretch& stretch, Rows part, Rows within,

@@ -35,6 +35,10 @@ struct CyclicStretch {
     double period() const; ///< median length of the cycles, rows
 };
 
+/// Whether both may be of one motion: their cycles are about as long, and the mean cycles alike,
+/// whatever the phase at which they begin.
+bool may_be_one(const CyclicStretch& a, const CyclicStretch& b);
+
 /// Where the body keeps still: at all, and between motions (find_rests(), find_pauses()).
 struct StillRows {
     const std::vector<Rows>& rests;
