@@ -279,6 +279,12 @@ void set_best(const LagMap& map, std::size_t first, double rate, PeriodTrack& tr
 
 } // namespace
 
+double Stretch::period_at(double row) const {
+    const auto last = static_cast<double>(period.size() - 1);
+    return period[static_cast<std::size_t>(
+        std::clamp(row - static_cast<double>(rows.begin), 0.0, last))];
+}
+
 PeriodTrack track_period(const Signal& signal, Rows range, const PeriodRange& periods,
                          const std::function<void()>& poll) {
     PeriodTrack track;

@@ -23,6 +23,9 @@ struct Stretch {
     /// Rows: turns within the period that are like their neighbors, or a longer period that the
     /// turns share; 0: none was seen.
     double other_period = 0;
+
+    /// That of the nearest row.
+    double period_at(double row) const;
 };
 
 struct PeriodTrack {
