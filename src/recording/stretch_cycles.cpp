@@ -19,10 +19,6 @@ namespace {
 
 /// Turns that must be seen for the motion to repeat.
 constexpr double min_turns = 1.4;
-/// Fewer turns need this quality: of 60 right cycles, one has less (measure/cycles), the uneven
-/// strides of 131_01 have 0.63.
-constexpr double few_turns = 2;
-constexpr double min_quality_of_few = 0.65;
 /// A cycle may lack so much of a turn: phases at the ends are not known better.
 constexpr double turn_tolerance = 0.02;
 /// The mean cycle passes through a posture of rest, and is slow there, if its squared distance from
@@ -364,15 +360,6 @@ CyclicStretch cut_stretch(const Signal& signal, const Stretch& stretch, Rows par
         cut.borders.clear();
         cut.doubt = format_text("a repetition after {:.2f} s lasts less than {} periods",
                                 motion::median(stretch.period) / signal.rate, min_turns);
-        return cut;
-    }
-    if (cut.borders.size() < 3 && growth.turns() < few_turns &&
-        stretch.quality < min_quality_of_few) {
-        cut.borders.clear();
-        cut.doubt = format_text("low quality: it resembles itself most after {:.2f} s, but with a "
-                                "quality of only {:.3f}, below {} (1: it repeats)",
-                                motion::median(stretch.period) / signal.rate, stretch.quality,
-                                min_quality_of_few);
         return cut;
     }
     cut.phase = trace_phase(signal, growth, progress);
