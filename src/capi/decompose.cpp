@@ -22,16 +22,16 @@ struct KindName {
     const char* name;
 };
 constexpr KindName unit_kinds[] = {
-    {static_cast<int32_t>(recording::UnitKind::preparing), "preparing"},
-    {static_cast<int32_t>(recording::UnitKind::initial), "initial"},
-    {static_cast<int32_t>(recording::UnitKind::cyclic), "cyclic"},
-    {static_cast<int32_t>(recording::UnitKind::final), "final"},
-    {static_cast<int32_t>(recording::UnitKind::wind_up), "wind-up"},
-    {static_cast<int32_t>(recording::UnitKind::action), "action"},
+    {static_cast<int32_t>(motion::UnitKind::preparing), "preparing"},
+    {static_cast<int32_t>(motion::UnitKind::initial), "initial"},
+    {static_cast<int32_t>(motion::UnitKind::cyclic), "cyclic"},
+    {static_cast<int32_t>(motion::UnitKind::final), "final"},
+    {static_cast<int32_t>(motion::UnitKind::wind_up), "wind-up"},
+    {static_cast<int32_t>(motion::UnitKind::action), "action"},
     {STLTSA_UNIT_CYCLE, "cycle"},
-    {static_cast<int32_t>(recording::UnitKind::hold), "hold"},
+    {static_cast<int32_t>(motion::UnitKind::hold), "hold"},
 };
-// The values of recording::UnitKind are those of the header.
+// The values of motion::UnitKind are those of the header.
 static_assert(unit_kinds[0].value == STLTSA_UNIT_PREPARING &&
               unit_kinds[1].value == STLTSA_UNIT_INITIAL &&
               unit_kinds[2].value == STLTSA_UNIT_CYCLIC &&
@@ -39,10 +39,10 @@ static_assert(unit_kinds[0].value == STLTSA_UNIT_PREPARING &&
               unit_kinds[4].value == STLTSA_UNIT_WIND_UP &&
               unit_kinds[5].value == STLTSA_UNIT_ACTION && unit_kinds[7].value == STLTSA_UNIT_HOLD);
 constexpr KindName segment_kinds[] = {
-    {static_cast<int32_t>(recording::SegmentKind::cyclic), "cyclic"},
-    {static_cast<int32_t>(recording::SegmentKind::repetitions), "repetitions"},
-    {static_cast<int32_t>(recording::SegmentKind::action), "action"},
-    {static_cast<int32_t>(recording::SegmentKind::rest), "rest"},
+    {static_cast<int32_t>(motion::SegmentKind::cyclic), "cyclic"},
+    {static_cast<int32_t>(motion::SegmentKind::repetitions), "repetitions"},
+    {static_cast<int32_t>(motion::SegmentKind::action), "action"},
+    {static_cast<int32_t>(motion::SegmentKind::rest), "rest"},
 };
 static_assert(segment_kinds[0].value == STLTSA_SEGMENT_CYCLIC &&
               segment_kinds[1].value == STLTSA_SEGMENT_REPETITIONS &&

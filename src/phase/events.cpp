@@ -312,8 +312,8 @@ double milliseconds(const Searched& in, double rows) {
 }
 
 /// The phase of `to` that looks like a phase of `from`.
-double mapped_phase(const MeanCycle& from, const MeanCycle& to, const Offset& offset, double phase,
-                    const std::function<void()>& poll) {
+double mapped_phase(const MeanCycle& from, const MeanCycle& to, const motion::Offset& offset,
+                    double phase, const std::function<void()>& poll) {
     PacedPoll polls(poll);
     constexpr std::int64_t places = 100, turns = 3;
     Loop centered = from.loop;
@@ -374,12 +374,12 @@ std::vector<Event> find_events(const Searched& in, const Place& marks) {
 }
 
 double likeness(const Searched& from, const Searched& in) {
-    return offset_between(from.mean.loop, in.mean.loop).likeness;
+    return motion::offset_between(from.mean.loop, in.mean.loop).likeness;
 }
 
 std::vector<Event> find_events(const Searched& from, const Place& marks, const Searched& in) {
     const double phase = phase_of(marks);
-    Offset offset = offset_between(from.mean.loop, in.mean.loop);
+    motion::Offset offset = motion::offset_between(from.mean.loop, in.mean.loop);
     const Rows offsets = offsets_of(from);
     // The template of the source, with the marks in its middle.
     const auto sources = candidates_at(from, phase, offsets);

@@ -8,7 +8,7 @@
 #include "base/progress.hpp"
 #include "linalg/gaussian.hpp"
 #include "linalg/simd.hpp"
-#include "phase/pose_and_velocity.hpp"
+#include "motion/cycles/pose_and_velocity.hpp"
 
 namespace stltsa::phase {
 namespace {
@@ -52,8 +52,8 @@ FineRows::FineRows(ConstMatrixView rows, double rate, double period,
           1, static_cast<std::int64_t>(std::ceil(places_per_second / rate - 1e-9)))) {
     const double scale = period / (2 * std::numbers::pi);
     const Matrix smooth = gaussian_smoothed(rows, smoothing_s * rate, Beyond::reflection, 1, poll);
-    const Matrix velocity = differences(smooth.view(), poll);
-    const Matrix acceleration = differences(velocity.view(), poll);
+    const Matrix velocity = motion::differences(smooth.view(), poll);
+    const Matrix acceleration = motion::differences(velocity.view(), poll);
     PacedPoll polls(poll);
     values_ = Matrix::unset(rows.rows, 2 * rows.cols);
     for (std::int64_t i = 0; i < rows.rows; ++i) {

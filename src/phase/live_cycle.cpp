@@ -162,7 +162,8 @@ LiveCycle learn_live(ConstMatrixView rows, double rate, const Phases& phases,
     cycle.usual_speed = std::sqrt(speed);
     cycle.directions = principal_directions(centered.view(), most_directions).directions;
     Matrix coordinates = projected(centered, cycle.directions);
-    const std::int64_t harmonics = std::min(most_harmonics, harmonics_for(phases.mean.period));
+    const std::int64_t harmonics =
+        std::min(most_harmonics, motion::harmonics_for(phases.mean.period));
     const Loop loop = fit_loop(coordinates.view(), packed(runs), harmonics);
     cycle.places = loop.sampled(place_count);
     cycle.rests = places_at_rest(used, runs, cycle, harmonics);

@@ -45,12 +45,12 @@ Run linear_run(const Borders& borders, std::int64_t rows) {
 void align(ConstMatrixView rows, double period, const std::function<void()>& poll,
            std::vector<Run>& runs) {
     const auto longest = std::ranges::max_element(runs, {}, &Run::rows);
-    const Loop loop = fit_loop(rows, {&*longest, 1}, harmonics_for(period), poll);
+    const Loop loop = motion::fit_loop(rows, {&*longest, 1}, motion::harmonics_for(period), poll);
     for (Run& run : runs) {
         if (&run == &*longest)
             continue;
-        const Loop own = fit_loop(rows, {&run, 1}, harmonics_for(period), poll);
-        const double shift = offset_between(loop, own).shift;
+        const Loop own = motion::fit_loop(rows, {&run, 1}, motion::harmonics_for(period), poll);
+        const double shift = motion::offset_between(loop, own).shift;
         for (double& phase : run.phase)
             phase -= shift > 0.5 ? shift - 1 : shift;
     }
@@ -140,7 +140,7 @@ std::vector<std::vector<double>> distances_of(ConstMatrixView both, const MeanCy
                                               const std::function<void()>& poll) {
     std::vector<std::vector<double>> distances;
     for (const Run& run : runs)
-        distances.push_back(residuals(both, mean, run, poll));
+        distances.push_back(motion::residuals(both, mean, run, poll));
     return distances;
 }
 
@@ -157,7 +157,8 @@ double mean_square(const std::vector<std::vector<double>>& all) {
 /// Phases that begin as `runs`.
 Phases registered(ConstMatrixView both, std::vector<Run> runs, double period,
                   const std::function<void()>& poll) {
-    Registration found = register_runs(both, runs, period, smooth_share, nearly_settled, poll);
+    motion::Registration found = motion::register_runs(both, runs, period, motion::smooth_share,
+                                                       motion::nearly_settled, poll);
     Phases phases;
     phases.mean = std::move(found.mean);
     phases.runs = std::move(found.runs);
@@ -166,7 +167,7 @@ Phases registered(ConstMatrixView both, std::vector<Run> runs, double period,
     phases.linear = phases.residual > most_residual;
     if (phases.linear) {
         phases.runs = std::move(runs);
-        phases.mean.loop = fit_loop(both, phases.runs, harmonics_for(period), poll);
+        phases.mean.loop = motion::fit_loop(both, phases.runs, motion::harmonics_for(period), poll);
         phases.distances = distances_of(both, phases.mean, phases.runs, poll);
     }
     return phases;
@@ -177,7 +178,7 @@ Phases registered(ConstMatrixView both, std::vector<Run> runs, double period,
 Phases find_phases(ConstMatrixView rows, double rate, std::span<const Borders> sequences,
                    std::span<const double> side, const std::function<void()>& poll) {
     const double period = typical_length(sequences);
-    const Matrix both = pose_and_velocity(rows, rate, period, poll);
+    const Matrix both = motion::pose_and_velocity(rows, rate, period, poll);
     std::vector<Run> runs = linear_runs(sequences, rows.rows);
     align(both.view(), period, poll, runs);
     Phases phases = registered(both.view(), std::move(runs), period, poll);
@@ -192,7 +193,7 @@ Phases find_phases_of_repetitions(ConstMatrixView rows, double rate,
                                   std::span<const Borders> repetitions,
                                   const std::function<void()>& poll) {
     const double period = typical_length(repetitions);
-    const Matrix both = pose_and_velocity(rows, rate, period, poll);
+    const Matrix both = motion::pose_and_velocity(rows, rate, period, poll);
     Phases phases = registered(both.view(), linear_runs(repetitions, rows.rows), period, poll);
     phases.cyclic = false;
     return phases;

@@ -6,9 +6,14 @@
 #include <span>
 #include <vector>
 
-#include "phase/registration.hpp"
+#include "motion/cycles/registration.hpp"
 
 namespace stltsa::phase {
+
+using motion::Loop;
+using motion::MeanCycle;
+using motion::Range;
+using motion::Run;
 
 /// Mean squared distance from the mean cycle, as a share of the variance, above which the phase is
 /// linear in time: 0.1 is usual; a column that drifts gives 0.57, zeros for gaps 0.9.

@@ -23,7 +23,7 @@ std::int64_t step_of(std::int64_t rows) {
 
 /// The coordinate that was cut and, beside it, the two of the loop; NaN where nothing was fitted.
 Json curve_json(const results::Decomposed& decomposed) {
-    const recording::Curve& found = decomposed.curve;
+    const motion::Curve& found = decomposed.curve;
     const auto count = static_cast<std::int64_t>(found.curve.size());
     const std::int64_t step = step_of(count);
     Matrix rows((count + step - 1) / step, 3);
@@ -51,7 +51,7 @@ Json phase_json(const results::Phased& phased) {
     return JsonObject("step", step, "values", packed(rows.view()), "warnings", phased.warnings);
 }
 
-Json accuracy_json(const recording::Curve& found) {
+Json accuracy_json(const motion::Curve& found) {
     return JsonObject("residual", found.residual, "error_estimate", found.error_estimate);
 }
 

@@ -15,7 +15,7 @@
 namespace stltsa::results {
 namespace {
 
-using recording::Recording;
+using motion::Recording;
 
 /// The joints that carry a segment have this share of its motion, and are at most so many.
 constexpr double carried_share = 0.5;
@@ -63,7 +63,7 @@ class SourceFrames {
     const ClipFacts& clip_;
 };
 
-void set_messages(const ClipSamples& prepared, recording::Options& options) {
+void set_messages(const ClipSamples& prepared, motion::Options& options) {
     const double fps = prepared.source.clips.front().fps;
     options.in_space = prepared.source.samples.features == clip::Features::raw;
     if (prepared.jump > 0) {
@@ -76,7 +76,7 @@ void set_messages(const ClipSamples& prepared, recording::Options& options) {
 /// unit if they are of one kind and segment.
 std::vector<stltsa_interval> units_of(const Recording& found, const SourceFrames& frames) {
     std::vector<stltsa_interval> units;
-    for (const recording::Unit& unit : found.units) {
+    for (const motion::Unit& unit : found.units) {
         stltsa_interval next{};
         frames.set(unit.begin, unit.end, next);
         next.kind = static_cast<int32_t>(unit.kind);
@@ -100,7 +100,7 @@ std::vector<stltsa_interval> units_of(const Recording& found, const SourceFrames
     return units;
 }
 
-stltsa_segment segment_of(const recording::Segment& found, const SourceFrames& frames) {
+stltsa_segment segment_of(const motion::Segment& found, const SourceFrames& frames) {
     stltsa_segment segment{};
     frames.set(found.begin, found.end, segment);
     segment.kind = static_cast<int32_t>(found.kind);
@@ -150,7 +150,7 @@ stltsa_part part_of(const SourceFrames& frames, std::int64_t segment, double beg
 }
 
 void set_parts(const Recording& found, const SourceFrames& frames, Decomposed& made) {
-    for (const recording::Cycle& cycle : found.cycles) {
+    for (const motion::Cycle& cycle : found.cycles) {
         stltsa_part part = part_of(frames, cycle.segment, cycle.begin, cycle.end);
         part.side = cycle.side;
         part.likeness = cycle.likeness;
@@ -159,7 +159,7 @@ void set_parts(const Recording& found, const SourceFrames& frames, Decomposed& m
         made.cycles.push_back({part.begin, part.end, part.begin_s, part.end_s, STLTSA_UNIT_CYCLE,
                                static_cast<int32_t>(cycle.segment)});
     }
-    for (const recording::Step& step : found.steps) {
+    for (const motion::Step& step : found.steps) {
         stltsa_part part = part_of(frames, step.segment, step.begin, step.end);
         part.parent = step.cycle;
         part.side = step.side;
@@ -168,7 +168,7 @@ void set_parts(const Recording& found, const SourceFrames& frames, Decomposed& m
         part.confidence = cycle.confidence;
         made.steps.push_back(part);
     }
-    for (const recording::Repetition& repetition : found.repetitions) {
+    for (const motion::Repetition& repetition : found.repetitions) {
         stltsa_part part = part_of(frames, repetition.segment, repetition.begin, repetition.end);
         part.likeness = repetition.likeness;
         part.confidence = repetition.confidence;
@@ -242,13 +242,13 @@ void note_drift(const clip::Clip& clip, clip::Features features,
 }
 
 /// In samples.
-std::vector<recording::Hole> holes_of(const ClipSamples& prepared) {
+std::vector<motion::Hole> holes_of(const ClipSamples& prepared) {
     const SampleFacts& samples = prepared.source.samples;
     const auto sample = [&](std::int64_t frame) {
         return std::max(0.0, static_cast<double>(frame - samples.first) /
                                  static_cast<double>(samples.step));
     };
-    std::vector<recording::Hole> holes;
+    std::vector<motion::Hole> holes;
     for (const clip::Frames& hole : prepared.holes)
         if (hole.end > samples.first)
             holes.push_back({sample(hole.begin), sample(hole.end)});
@@ -303,7 +303,7 @@ Parts Decomposed::parts(std::int32_t kind) const {
 }
 
 Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare,
-                     recording::Options options, const Progress& progress) {
+                     motion::Options options, const Progress& progress) {
     if (!(clip.fps > 0))
         fail(Status::argument, "the frame rate of {} is unknown: open it with option fps",
              clip.path.empty() ? "the clip" : clip.path);
@@ -324,8 +324,7 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
     options.holes = holes_of(prepared);
     options.side = side_weights_of(clip, samples, prepared.samples.view());
     options.begin_with_side = samples.features != clip::Features::points;
-    recording::Recording found =
-        recording::analyze(prepared.samples.view(), fps, options, progress);
+    motion::Recording found = motion::analyze(prepared.samples.view(), fps, options, progress);
     Decomposed made;
     made.source = std::move(prepared.source);
     made.source.period = {found.curve.period / fps, found.curve.lag_quality,
@@ -334,7 +333,7 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
         frame_rows(clip, made.source, std::move(options.side), std::move(drifting), prepared);
     const SourceFrames frames(made.source);
     const std::vector<std::string>& owners = made.rows->owners;
-    for (const recording::Segment& segment : found.segments) {
+    for (const motion::Segment& segment : found.segments) {
         made.segments.push_back(segment_of(segment, frames));
         made.carriers.push_back(carriers_of(segment.energy, owners));
         made.reasons.push_back(segment.reason);

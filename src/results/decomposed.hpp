@@ -9,7 +9,7 @@
 
 #include "base/progress.hpp"
 #include "clip/features/frame_features.hpp"
-#include "recording/analyze.hpp"
+#include "motion/recording/analyze.hpp"
 #include "results/samples.hpp"
 #include "results/summary.hpp"
 #include "stltsa.h"
@@ -37,7 +37,7 @@ struct PhaseOnce {
 };
 
 struct Decomposed {
-    recording::Curve curve;                      ///< in samples
+    motion::Curve curve;                         ///< in samples
     std::int64_t representative = -1, best = -1; ///< see Recording
     std::string reason;
     Warnings warnings;
@@ -63,6 +63,6 @@ struct Decomposed {
 /// Throws Status::argument if the clip's frame rate is unknown. Sets the fields of `options` that
 /// are for messages only.
 Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare,
-                     recording::Options options, const Progress& progress);
+                     motion::Options options, const Progress& progress);
 
 } // namespace stltsa::results

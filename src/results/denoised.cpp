@@ -33,8 +33,8 @@ Denoised denoise(ConstMatrixView coords, std::vector<std::int64_t> lengths,
         denoised.options.knot_step = *options.knot_spacing * (fps > 0 ? fps : 1);
     } else {
         denoised.period = period_of(coords, lengths, options.search, source, progress);
-        denoised.options.knot_step = motion::knot_step_for(
-            {rows_of_period(denoised.period, source.samples), denoised.period.lag_quality});
+        denoised.options.knot_step =
+            motion::knot_step_for(rows_of_period(denoised.period, source.samples));
     }
     denoised.result = motion::denoise(coords, lengths, denoised.options, progress);
     denoised.lengths = std::move(lengths);

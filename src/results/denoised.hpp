@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
-#include "motion/denoise.hpp"
+#include "motion/curve/denoise.hpp"
 #include "results/fitted.hpp"
 
 namespace stltsa::results {

@@ -20,15 +20,15 @@ constexpr double doubtful_ms = 60;
 
 /// Where a run may grow: up to the next run of any motion; cycles within motion, a repetition also
 /// into the rests around it, as its ends are often marked.
-phase::Range room_of(const Phased& phased, const PhasedMotion& motion, const phase::Run& run) {
-    phase::Range room{run.begin, run.end()};
+motion::Range room_of(const Phased& phased, const PhasedMotion& motion, const motion::Run& run) {
+    motion::Range room{run.begin, run.end()};
     if (!motion.phases.cyclic)
         room = unbroken(phased, run);
-    for (const phase::Range& moving : phased.moving)
+    for (const motion::Range& moving : phased.moving)
         if (motion.phases.cyclic && moving.begin <= run.begin && run.end() <= moving.end)
             room = moving;
     for (const PhasedMotion& other : phased.motions)
-        for (const phase::Run& next : other.phases.runs) {
+        for (const motion::Run& next : other.phases.runs) {
             if (next.end() <= run.begin)
                 room.begin = std::max(room.begin, next.end());
             if (next.begin >= run.end())
@@ -43,14 +43,14 @@ phase::Searched searched(const Phased& phased, const PhasedMotion& motion,
                          const Progress& progress) {
     const auto poll = [progress] { progress.report(Stage::units, 0); };
     poll();
-    const phase::MeanCycle& mean = motion.phases.mean;
+    const motion::MeanCycle& mean = motion.phases.mean;
     const Matrix both =
-        phase::pose_and_velocity(phased.rows.view(), phased.clip.fps, mean.period, poll);
-    std::vector<phase::Run> runs;
-    for (const phase::Run& run : motion.phases.runs) {
-        const phase::Range room = room_of(phased, motion, run);
-        runs.push_back(motion.phases.linear ? phase::continued(run, mean.period, room)
-                                            : phase::grown(both.view(), mean, run, room, poll));
+        motion::pose_and_velocity(phased.rows.view(), phased.clip.fps, mean.period, poll);
+    std::vector<motion::Run> runs;
+    for (const motion::Run& run : motion.phases.runs) {
+        const motion::Range room = room_of(phased, motion, run);
+        runs.push_back(motion.phases.linear ? motion::continued(run, mean.period, room)
+                                            : motion::grown(both.view(), mean, run, room, poll));
     }
     return phase::searched(phased.rows.view(), both.view(), phased.clip.fps, motion.phases,
                            std::move(runs), poll);

@@ -6,7 +6,7 @@
 #include "ltsa/fit.hpp"
 #include "ltsa/frames.hpp"
 #include "ltsa/warnings.hpp"
-#include "motion/choose_neighbors.hpp"
+#include "motion/period/choose_neighbors.hpp"
 
 namespace stltsa::results {
 namespace {

@@ -9,7 +9,7 @@ namespace {
 
 std::vector<clip::Frames> frames_in(const PhasedMotion& motion) {
     std::vector<clip::Frames> frames;
-    for (const phase::Run& run : motion.phases.runs)
+    for (const motion::Run& run : motion.phases.runs)
         frames.push_back({run.begin, run.end()});
     return frames;
 }
@@ -76,7 +76,7 @@ void keep_mark(Fitted& model, const Phased& phased, double frame, const std::str
     for (const PhasedMotion& motion : phased.motions) {
         if (motion.label != model.live.label || !motion.phases.cyclic)
             continue;
-        for (const phase::Run& run : motion.phases.runs) {
+        for (const motion::Run& run : motion.phases.runs) {
             if (!(row >= static_cast<double>(run.begin) &&
                   row <= static_cast<double>(run.end() - 1)))
                 continue;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "motion/choose_neighbors.hpp"
+#include "motion/period/choose_neighbors.hpp"
 
 namespace stltsa::results {
 namespace {

@@ -63,8 +63,8 @@ std::map<std::int32_t, std::vector<phase::Borders>> repetitions_of(const Decompo
 }
 
 /// Rows of segments in motion one after another, which no hole interrupts.
-std::vector<phase::Range> moving_rows(const Decomposed& decomposed, const Phased& phased) {
-    std::vector<phase::Range> ranges;
+std::vector<motion::Range> moving_rows(const Decomposed& decomposed, const Phased& phased) {
+    std::vector<motion::Range> ranges;
     const auto row = [&](std::int64_t frame) {
         return std::clamp<std::int64_t>(frame - phased.clip.first, 0, phased.rows.rows());
     };
@@ -78,9 +78,9 @@ std::vector<phase::Range> moving_rows(const Decomposed& decomposed, const Phased
     }
     for (const clip::Frames& hole : phased.of->holes)
         for (std::size_t i = 0; i < ranges.size(); ++i) {
-            phase::Range& range = ranges[i];
+            motion::Range& range = ranges[i];
             if (hole.begin > range.begin && hole.begin < range.end) {
-                const phase::Range rest{hole.end, range.end};
+                const motion::Range rest{hole.end, range.end};
                 range.end = hole.begin;
                 ranges.insert(ranges.begin() + static_cast<std::ptrdiff_t>(i) + 1, rest);
             }
@@ -97,7 +97,7 @@ void set_frames(const Decomposed& decomposed, Phased& phased) {
         if (!motion.phases.cyclic)
             continue;
         for (std::size_t r = 0; r < motion.phases.runs.size(); ++r) {
-            const phase::Run& run = motion.phases.runs[r];
+            const motion::Run& run = motion.phases.runs[r];
             const std::vector<double>& distances = motion.phases.distances[r];
             for (std::int64_t i = 0; i < run.rows(); ++i) {
                 const auto frame = static_cast<std::size_t>(phased.clip.first + run.begin + i);
@@ -159,8 +159,8 @@ std::string label_text(std::int32_t label) {
     return text;
 }
 
-phase::Range unbroken(const Phased& phased, const phase::Run& run) {
-    phase::Range range{0, phased.rows.rows()};
+motion::Range unbroken(const Phased& phased, const motion::Run& run) {
+    motion::Range range{0, phased.rows.rows()};
     for (const clip::Frames& hole : phased.of->holes) {
         if (hole.end <= run.begin)
             range.begin = std::max(range.begin, hole.end);
@@ -182,7 +182,7 @@ const PhasedMotion& motion_of(const Phased& phased, std::int32_t label) {
 const PhasedMotion* longest_in_cycles(const Phased& phased, std::optional<std::int32_t> label) {
     const auto frames_of = [](const PhasedMotion& motion) {
         std::int64_t count = 0;
-        for (const phase::Run& run : motion.phases.runs)
+        for (const motion::Run& run : motion.phases.runs)
             count += run.rows();
         return count;
     };
@@ -218,10 +218,10 @@ phase::Turns turns_of(const Phased& phased, const PhasedMotion& motion, std::int
         const Matrix of_run = phase::times_of(motion.phases.runs[r], borders, samples, shift);
         to = std::copy_n(of_run.data(), of_run.rows() * samples, to);
         for (std::size_t k = 0; k + 1 < borders.size(); ++k)
-            turns.repeated.push_back(motion.phases.cyclic &&
-                                             borders[k + 1] > static_cast<double>(rows - 1)
-                                         ? phase::Range{static_cast<std::int64_t>(borders[k]), rows}
-                                         : phase::Range{});
+            turns.repeated.push_back(
+                motion.phases.cyclic && borders[k + 1] > static_cast<double>(rows - 1)
+                    ? motion::Range{static_cast<std::int64_t>(borders[k]), rows}
+                    : motion::Range{});
     }
     return turns;
 }
@@ -235,7 +235,7 @@ phase::Resampled resample(const Phased& phased, std::int32_t label, ConstMatrixV
     phase::Turns turns = turns_of(phased, motion, samples);
     for (std::int64_t i = 0; i < turns.rows.rows() * turns.rows.cols(); ++i)
         turns.rows.data()[i] += static_cast<double>(phased.clip.first);
-    for (phase::Range& rows : turns.repeated)
+    for (motion::Range& rows : turns.repeated)
         rows = {rows.begin + phased.clip.first, rows.end + phased.clip.first};
     phase::Resampled made = phase::resample(signals, std::move(turns), poll);
     made.no_halves = no_halves(motion);

@@ -31,7 +31,7 @@ struct Phased {
     const SampleFacts& samples = of->samples;
     const std::vector<std::string>& owners = of->owners;
     std::vector<PhasedMotion> motions; ///< in cycles, by label; then those with pauses
-    std::vector<phase::Range> moving;  ///< rows between rests and holes
+    std::vector<motion::Range> moving; ///< rows between rests and holes
     // Of each frame of the file.
     std::vector<double> phase;       ///< in [0, 1); NaN outside cycles
     std::vector<double> residual;    ///< NaN outside cycles
@@ -40,7 +40,7 @@ struct Phased {
 };
 
 /// Rows around a run that no hole interrupts.
-phase::Range unbroken(const Phased& phased, const phase::Run& run);
+motion::Range unbroken(const Phased& phased, const motion::Run& run);
 
 /// The motion of a label: the cyclic one if there is one. Throws Status::argument for a label that
 /// has neither cycles nor repetitions.

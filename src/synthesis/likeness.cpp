@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "motion/curve/statistics.hpp"
-#include "motion/period.hpp"
+#include "motion/period/period.hpp"
 
 namespace stltsa::synthesis {
 namespace {

@@ -168,7 +168,7 @@ Json chosen_cycle(std::span<const stltsa_interval> cycles, std::int64_t index) {
     return object;
 }
 
-Json embedding_json(const recording::Curve& found) {
+Json embedding_json(const motion::Curve& found) {
     return JsonObject("eigenvalues", found.eigenvalues, "tangent_dimension",
                       json_count_or_null(found.parameters.dimension), "coordinate",
                       json_count_or_null(found.coordinate), "cyclicity", found.cyclicity);

@@ -121,7 +121,7 @@ ltsa::DimensionOptions OptionsReader::dimension_options() const {
     return {real(STLTSA_OPT_EIGENGAP), real(STLTSA_OPT_VARIANCE)};
 }
 
-recording::Options OptionsReader::decompose_options() const {
+motion::Options OptionsReader::decompose_options() const {
     for (const std::int32_t key :
          {STLTSA_OPT_NEIGHBORS, STLTSA_OPT_WINDOW, STLTSA_OPT_DIMENSION, STLTSA_OPT_MODE})
         if (is_set(options_, key))
@@ -130,7 +130,7 @@ recording::Options OptionsReader::decompose_options() const {
                 "option {} belongs to fit: decompose embeds each segment with cycles at 24 samples "
                 "a cycle, with parameters of its own",
                 option_row(key).name);
-    recording::Options options;
+    motion::Options options;
     options.segments = integer_if_set(STLTSA_OPT_SEGMENTS);
     const results::PeriodRange range = results::range_of(period_search(), 1, 0); // in seconds
     options.shortest_period = range.shortest;

@@ -9,7 +9,7 @@
 
 #include "base/progress.hpp"
 #include "clip/features/prepare.hpp"
-#include "recording/recording.hpp"
+#include "motion/recording/recording.hpp"
 #include "results/denoised.hpp"
 #include "results/parameters.hpp"
 #include "results/placed.hpp"
@@ -48,7 +48,7 @@ class OptionsReader {
     clip::ReadOptions read_options() const;
     clip::PrepareOptions prepare_options() const;
     ltsa::DimensionOptions dimension_options() const;
-    recording::Options decompose_options() const;
+    motion::Options decompose_options() const;
     results::PeriodSearch period_search() const;
     results::FitOptions fit_options() const;
     /// For a model with these parameters.

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "motion/curve/denoise.hpp"
 #include "motion/curve/spline.hpp"
-#include "motion/denoise.hpp"
 
 namespace {
 
@@ -144,7 +144,7 @@ void standing_survives(void**) {
     Matrix coords = exercise.samples(30);
     Matrix truth = coords;
     add_noise(coords, 0.05, 11);
-    const Denoised found = denoised(coords, {coords.rows()}, {-1, knot_step_for({36, 1}), true});
+    const Denoised found = denoised(coords, {coords.rows()}, {-1, knot_step_for(36), true});
     for (std::int64_t c = 0; c < 2; ++c)
         for (std::int64_t i = 0; i < coords.rows(); ++i)
             assert_true(std::abs(found.curve(i, c) - truth(i, c)) < 0.2);
@@ -175,8 +175,8 @@ void refuses_invalid_input(void**) {
 }
 
 void steps_follow_the_period(void**) {
-    ASSERT_NEAR(knot_step_for({33, 0.9}), 3.3, 1e-12);
-    ASSERT_NEAR(knot_step_for({}), 2, 0);
+    ASSERT_NEAR(knot_step_for(33), 3.3, 1e-12);
+    ASSERT_NEAR(knot_step_for(0), 2, 0);
 }
 
 } // namespace

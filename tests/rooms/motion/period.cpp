@@ -2,8 +2,8 @@
 // The lag after which a motion repeats.
 #include "motion/testing.hpp"
 
-#include "motion/choose_neighbors.hpp"
-#include "motion/period.hpp"
+#include "motion/period/choose_neighbors.hpp"
+#include "motion/period/period.hpp"
 
 namespace {
 

@@ -39,7 +39,7 @@ Searched cyclic(const Matrix& samples) {
     for (int i = 1; i <= 11; ++i)
         given.push_back(row_at(i) + std::sin(3.1 * i)); // a frame off
     const Phases phases = find_phases(samples.view(), rate, {&given, 1}, {});
-    const Matrix both = pose_and_velocity(samples.view(), rate, phases.mean.period);
+    const Matrix both = stltsa::motion::pose_and_velocity(samples.view(), rate, phases.mean.period);
     return searched(samples.view(), both.view(), rate, phases,
                     {grown(both.view(), phases.mean, phases.runs[0], {0, 500})});
 }
@@ -155,7 +155,7 @@ void repetitions_have_one_each(void**) {
         given.push_back({100.0 * i + 28 + i % 2, 100.0 * i + 72 - i % 2});
     const Phases phases = find_phases_of_repetitions(samples.view(), rate, given);
     assert_false(phases.cyclic);
-    const Matrix both = pose_and_velocity(samples.view(), rate, phases.mean.period);
+    const Matrix both = stltsa::motion::pose_and_velocity(samples.view(), rate, phases.mean.period);
     const Searched in = searched(samples.view(), both.view(), rate, phases, phases.runs);
     const double mark = 242;
     const auto events = events_of(in, {mark});
@@ -234,7 +234,7 @@ void first_steps_follow_the_parts_that_move(void**) {
     for (int i = 3; i <= 12; ++i)
         given.push_back(36.0 * i);
     const Phases phases = find_phases(samples.view(), rate, {&given, 1}, {});
-    const Matrix both = pose_and_velocity(samples.view(), rate, phases.mean.period);
+    const Matrix both = stltsa::motion::pose_and_velocity(samples.view(), rate, phases.mean.period);
     const Searched in = searched(samples.view(), both.view(), rate, phases,
                                  {grown(both.view(), phases.mean, phases.runs[0], {24, 500})});
     double worst_off = 0;

@@ -170,7 +170,7 @@ void runs_grow_beyond_their_borders(void**) {
     const Matrix samples = motion(600, 0.02, 6);
     const Borders given = sequence(150, 4, 0);
     const Phases found = find_phases(samples.view(), rate, {&given, 1}, {});
-    const Matrix both = pose_and_velocity(samples.view(), rate, found.mean.period);
+    const Matrix both = stltsa::motion::pose_and_velocity(samples.view(), rate, found.mean.period);
     const Run run = grown(both.view(), found.mean, found.runs[0], {20, 580});
     assert_int_equal(run.begin, 20);
     assert_int_equal(run.end(), 580);

@@ -9,12 +9,12 @@
 #include "linalg/principal.hpp"
 #include "ltsa/neighbors/neighbors.hpp"
 #include "ltsa/parameters.hpp"
-#include "motion/period.hpp"
+#include "motion/cycles/registration.hpp"
+#include "motion/period/period.hpp"
 #include "phase/compare.hpp"
 #include "phase/events.hpp"
 #include "phase/fine.hpp"
 #include "phase/phases.hpp"
-#include "phase/registration.hpp"
 #include "phase/resample.hpp"
 #include "results/postures.hpp"
 
@@ -92,25 +92,25 @@ void the_search_for_neighbors_polls(void**) {
 }
 
 void the_phase_polls(void**) {
-    phase::Run run{0, {}};
+    motion::Run run{0, {}};
     for (std::int64_t i = 0; i < rows; ++i)
         run.phase.push_back(static_cast<double>(i) / period);
     check_polls(3, [&](auto, const auto& poll) {
-        phase::pose_and_velocity(wide().view(), 30, period, poll);
+        motion::pose_and_velocity(wide().view(), 30, period, poll);
     });
     check_polls(6, [&](auto, const auto& poll) {
-        phase::fit_loop(wide().view(), {&run, 1}, 3, poll);
+        motion::fit_loop(wide().view(), {&run, 1}, 3, poll);
     });
-    phase::MeanCycle mean;
+    motion::MeanCycle mean;
     check_polls(4 * 2 * 6, [&](auto, const auto& poll) {
         mean =
-            phase::register_runs(wide().view(), {run}, period, phase::smooth_share, 0, poll).mean;
+            motion::register_runs(wide().view(), {run}, period, motion::smooth_share, 0, poll).mean;
     });
     check_polls(6,
-                [&](auto, const auto& poll) { phase::residuals(wide().view(), mean, run, poll); });
-    const phase::Run middle{10, {run.phase.begin() + 10, run.phase.begin() + 30}};
+                [&](auto, const auto& poll) { motion::residuals(wide().view(), mean, run, poll); });
+    const motion::Run middle{10, {run.phase.begin() + 10, run.phase.begin() + 30}};
     check_polls(6, [&](auto, const auto& poll) {
-        phase::grown(wide().view(), mean, middle, {0, rows}, poll);
+        motion::grown(wide().view(), mean, middle, {0, rows}, poll);
     });
 }
 
@@ -119,7 +119,7 @@ void events_poll(void**) {
                 [&](auto, const auto& poll) { phase::FineRows(wide().view(), 60, period, poll); });
     const phase::Borders borders = {2, 12, 22, 32, 42};
     const phase::Phases phases = phase::find_phases(wide().view(), 30, {&borders, 1}, {});
-    const Matrix both = phase::pose_and_velocity(wide().view(), 30, period);
+    const Matrix both = motion::pose_and_velocity(wide().view(), 30, period);
     std::optional<phase::Searched> in;
     check_polls(26, [&](auto, const auto& poll) {
         in = phase::searched(wide().view(), both.view(), 30, phases, phases.runs, poll);

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "motion/behaviors/kernel_features.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/progress.hpp"
+#include "linalg/eigen.hpp"
+#include "linalg/gaussian.hpp"
+#include "linalg/simd.hpp"
+#include "linalg/weighted_rows.hpp"
+#include "motion/curve/statistics.hpp"
+
+namespace stltsa::motion {
+namespace {
+
+constexpr double moments_per_second = 10;
+/// Velocities per moment count so many times as poses.
+constexpr double velocity_weight = 3;
+constexpr double statistics_window_s = 0.45;
+/// Squared distance at which the kernel has fallen to 1/e: the median distance, but at least this
+/// share of the total variance. Without that limit, one long motion is cut at nothing.
+constexpr double least_bandwidth = 0.3;
+constexpr std::int64_t distances_sampled = 400;
+/// 40 to 240 give the same borders as the exact kernel.
+constexpr std::int64_t most_landmarks = 120;
+constexpr double rounding = 1e-6;
+
+double total_variance(const Matrix& x) {
+    double total = 0;
+    for (std::int64_t c = 0; c < x.cols(); ++c) {
+        double mean = 0, squares = 0;
+        for (std::int64_t i = 0; i < x.rows(); ++i)
+            mean += x(i, c) / static_cast<double>(x.rows());
+        for (std::int64_t i = 0; i < x.rows(); ++i)
+            squares += (x(i, c) - mean) * (x(i, c) - mean);
+        total += squares / static_cast<double>(x.rows());
+    }
+    return total;
+}
+
+/// Poses in units of their mean deviation per column, and velocities.
+Matrix scaled_motion(const Signal& signal, std::int64_t step, double rate) {
+    const std::int64_t n = (signal.rows() + step - 1) / step, p = signal.cols();
+    Matrix x(n, 2 * p);
+    for (std::int64_t i = 0; i < n; ++i)
+        std::copy_n(signal.poses.row(i * step), p, x.row(i));
+    const double deviation = std::sqrt(total_variance(x) / static_cast<double>(p));
+    const double scale = deviation > 0 ? 1 / deviation : 0;
+    for (std::int64_t i = 0; i < n; ++i)
+        for (std::int64_t c = 0; c < p; ++c)
+            x(i, c) *= scale;
+    for (std::int64_t i = 0; i < n; ++i) {
+        const std::int64_t before = std::max<std::int64_t>(0, i - 1);
+        const std::int64_t after = std::min(i + 1, n - 1);
+        for (std::int64_t c = 0; c < p && after > before; ++c)
+            x(i, p + c) = velocity_weight * (x(after, c) - x(before, c)) /
+                          static_cast<double>(after - before) * rate / moments_per_second;
+    }
+    return x;
+}
+
+/// Windowed means and standard deviations of the columns.
+Matrix windowed(const Matrix& x, double sigma, const std::function<void()>& poll) {
+    Matrix squares = x;
+    for (std::int64_t i = 0; i < x.rows() * x.cols(); ++i)
+        squares.data()[i] *= squares.data()[i];
+    const Matrix mean = gaussian_smoothed(x.view(), sigma, Beyond::nothing, 1, poll);
+    const Matrix square = gaussian_smoothed(squares.view(), sigma, Beyond::nothing, 1, poll);
+    Matrix result(x.rows(), 2 * x.cols());
+    for (std::int64_t i = 0; i < x.rows(); ++i)
+        for (std::int64_t c = 0; c < x.cols(); ++c) {
+            result(i, c) = mean(i, c);
+            result(i, x.cols() + c) =
+                std::sqrt(std::max(0.0, square(i, c) - mean(i, c) * mean(i, c)));
+        }
+    return result;
+}
+
+/// `count` rows, evenly in time.
+Matrix spread_rows(const Matrix& x, std::int64_t count) {
+    count = std::min(count, x.rows());
+    Matrix rows(count, x.cols());
+    for (std::int64_t i = 0; i < count; ++i)
+        std::copy_n(x.row(i * (x.rows() - 1) / std::max<std::int64_t>(1, count - 1)), x.cols(),
+                    rows.row(i));
+    return rows;
+}
+
+double median_distance(const Matrix& x) {
+    const Matrix rows = spread_rows(x, distances_sampled);
+    std::vector<double> distances;
+    for (std::int64_t i = 0; i < rows.rows(); ++i)
+        for (std::int64_t k = 0; k < i; ++k)
+            distances.push_back(squared_distance(rows.row(i), rows.row(k), rows.cols()));
+    return median(distances);
+}
+
+/// landmarks x features: kernel values at the landmarks times this are the features.
+Matrix nystroem_map(const Matrix& landmarks, double bandwidth) {
+    const std::int64_t m = landmarks.rows();
+    TopEigenpairs pairs(m, m);
+    for (std::int64_t c = 0; c < m; ++c)
+        for (std::int64_t r = c; r < m; ++r)
+            pairs.matrix()[r + c * m] =
+                std::exp(-squared_distance(landmarks.row(r), landmarks.row(c), landmarks.cols()) /
+                         bandwidth);
+    pairs.solve();
+    std::int64_t count = 0;
+    while (count < m && pairs.value(count) > rounding * pairs.value(0))
+        ++count;
+    Matrix map(m, count);
+    for (std::int64_t f = 0; f < count; ++f)
+        for (std::int64_t l = 0; l < m; ++l)
+            map(l, f) = pairs.vector(f)[l] / std::sqrt(pairs.value(f));
+    return map;
+}
+
+} // namespace
+
+KernelFeatures::KernelFeatures(const Signal& signal, const std::function<void()>& poll)
+    : step_(std::max<std::int64_t>(1, std::lround(signal.rate / moments_per_second))),
+      rate_(signal.rate / static_cast<double>(step_)) {
+    const Matrix x = scaled_motion(signal, step_, rate_);
+    const Matrix statistics = windowed(x, statistics_window_s * rate_, poll);
+    const double bandwidth =
+        std::max(median_distance(statistics), least_bandwidth * total_variance(x));
+    const Matrix landmarks = spread_rows(statistics, most_landmarks);
+    const Matrix map = nystroem_map(landmarks, bandwidth > 0 ? bandwidth : 1);
+    sums_ = Matrix(x.rows() + 1, map.cols());
+    squares_.assign(static_cast<std::size_t>(x.rows() + 1), 0);
+    std::vector<double> feature(static_cast<std::size_t>(map.cols()));
+    std::vector<double> kernel(static_cast<std::size_t>(landmarks.rows()));
+    PacedPoll polls(poll);
+    for (std::int64_t i = 0; i < x.rows(); ++i) {
+        polls.did(landmarks.rows() * (landmarks.cols() + map.cols()));
+        std::fill(feature.begin(), feature.end(), 0.0);
+        for (std::int64_t l = 0; l < landmarks.rows(); ++l)
+            kernel[static_cast<std::size_t>(l)] =
+                std::exp(-squared_distance(statistics.row(i), landmarks.row(l), landmarks.cols()) /
+                         (bandwidth > 0 ? bandwidth : 1));
+        add_weighted(map.view(), kernel.data(), 1, feature.data());
+        std::copy_n(sums_.row(i), map.cols(), sums_.row(i + 1));
+        axpy(1, feature.data(), sums_.row(i + 1), map.cols());
+        squares_[static_cast<std::size_t>(i + 1)] =
+            squares_[static_cast<std::size_t>(i)] + dot(feature.data(), feature.data(), map.cols());
+    }
+}
+
+Rows KernelFeatures::moments(Rows rows) const {
+    const std::int64_t begin = std::min(rows.begin / step_, count() - 1);
+    return {begin, std::clamp((rows.end + step_ - 1) / step_, begin + 1, count())};
+}
+
+void KernelFeatures::add_sum(Rows moments, double* sum) const {
+    for (std::int64_t f = 0; f < sums_.cols(); ++f)
+        sum[f] += sums_(moments.end, f) - sums_(moments.begin, f);
+}
+
+double KernelFeatures::cost(std::int64_t begin, std::int64_t end) const {
+    return squares_[static_cast<std::size_t>(end)] - squares_[static_cast<std::size_t>(begin)] -
+           squared_distance(sums_.row(end), sums_.row(begin), sums_.cols()) /
+               static_cast<double>(end - begin);
+}
+
+double KernelFeatures::gain(std::int64_t begin, std::int64_t middle, std::int64_t end) const {
+    return cost(begin, end) - cost(begin, middle) - cost(middle, end);
+}
+
+double KernelFeatures::gain(Rows a, Rows b) const {
+    const auto m = static_cast<double>(a.count()), n = static_cast<double>(b.count());
+    double apart = 0; // squared distance of the means
+    for (std::int64_t f = 0; f < sums_.cols(); ++f) {
+        const double d =
+            (sums_(a.end, f) - sums_(a.begin, f)) / m - (sums_(b.end, f) - sums_(b.begin, f)) / n;
+        apart += d * d;
+    }
+    return m * n / (m + n) * apart;
+}
+
+double KernelFeatures::likeness(Rows a, Rows b) const {
+    double ab = 0, aa = 0, bb = 0;
+    for (std::int64_t f = 0; f < sums_.cols(); ++f) {
+        const double u = sums_(a.end, f) - sums_(a.begin, f);
+        const double v = sums_(b.end, f) - sums_(b.begin, f);
+        ab += u * v;
+        aa += u * u;
+        bb += v * v;
+    }
+    return aa > 0 && bb > 0 ? std::clamp(ab / std::sqrt(aa * bb), 0.0, 1.0) : 0;
+}
+
+} // namespace stltsa::motion

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the body does around each moment, as vectors whose products are a Gaussian kernel (Nystroem
+// features: Williams, Seeger, NIPS 2000) of the windowed means and deviations of poses and
+// velocities. Sums over time are kept, so that a range costs the same whatever its length.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "motion/period/signal.hpp"
+
+namespace stltsa::motion {
+
+class KernelFeatures {
+  public:
+    /// `poll` is called every few milliseconds and may throw.
+    explicit KernelFeatures(const Signal& signal, const std::function<void()>& poll = {});
+
+    /// Number of moments; moment i is row i * step() of the signal.
+    std::int64_t count() const { return sums_.rows() - 1; }
+    std::int64_t step() const { return step_; }
+    double rate() const { return rate_; } ///< moments a second
+
+    /// The moments of rows of the signal, at least one.
+    Rows moments(Rows rows) const;
+
+    std::int64_t size() const { return sums_.cols(); } ///< features of a moment
+    /// Adds the features of the moments.
+    void add_sum(Rows moments, double* sum) const;
+
+    /// Sum of squared distances from the mean of moments [begin, end).
+    double cost(std::int64_t begin, std::int64_t end) const;
+    /// How much two ranges cost less than the whole.
+    double gain(std::int64_t begin, std::int64_t middle, std::int64_t end) const;
+    /// The same of two ranges that need not touch.
+    double gain(Rows a, Rows b) const;
+    /// Cosine of the means of two ranges of moments, 0 to 1.
+    double likeness(Rows a, Rows b) const;
+
+  private:
+    std::int64_t step_ = 1;
+    double rate_ = 0;
+    Matrix sums_;                 ///< (moments + 1) x features
+    std::vector<double> squares_; ///< running sum of squared lengths
+};
+
+} // namespace stltsa::motion

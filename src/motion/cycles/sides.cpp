@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "motion/cycles/sides.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "linalg/gaussian.hpp"
+#include "linalg/simd.hpp"
+#include "motion/curve/extrema.hpp"
+
+namespace stltsa::motion {
+namespace {
+
+/// Correlation of the sides' motion with itself half a cycle later, below which they alternate.
+constexpr double alternating = -0.6;
+/// Share of the speed of the samples along the weights of the sides, below which the sides do not
+/// move: 0.25 and more in walks and runs, at most 0.2 in waves and claps.
+constexpr double least_share = 0.22;
+/// The halves of a cycle are compared this far to each side of their begin, and the second begins
+/// this far from the middle at most. Over a whole cycle the mirror image of the mirror image is the
+/// same body, so that every cycle would seem to have equal halves.
+constexpr double compared_share = 0.15;
+constexpr double max_off_middle = 0.15;
+/// Seconds at the ends of the recording in which smoothing bends velocities.
+constexpr double bent_s = 0.15;
+constexpr double smoothing_s = 0.04;
+
+/// Cubic between the rows (Catmull, Rom): linear values are off by a tenth in fast parts of a step.
+double at(const std::vector<double>& motion, double row) {
+    const auto last = static_cast<std::int64_t>(motion.size()) - 1;
+    const double inside = std::clamp(row, 0.0, static_cast<double>(last));
+    const auto i = static_cast<std::int64_t>(inside);
+    const double x = inside - static_cast<double>(i);
+    const auto value = [&](std::int64_t k) {
+        return motion[static_cast<std::size_t>(std::clamp<std::int64_t>(k, 0, last))];
+    };
+    const double a = value(i - 1), b = value(i), c = value(i + 1), d = value(i + 2);
+    return b + x * ((c - a) + x * ((2 * a - 5 * b + 4 * c - d) + x * (3 * (b - c) + d - a))) / 2;
+}
+
+} // namespace
+
+std::vector<double> side_motion(const Signal& signal, ConstMatrixView samples,
+                                const std::vector<double>& side) {
+    Matrix swing(signal.rows(), 1);
+    for (std::int64_t i = 0; i < signal.rows(); ++i)
+        swing(i, 0) = dot(samples.row(i * signal.step), side.data(), samples.cols);
+    const double length =
+        std::sqrt(dot(side.data(), side.data(), static_cast<std::int64_t>(side.size())));
+    const Matrix smooth =
+        gaussian_smoothed(swing.view(), smoothing_s * signal.rate, Beyond::reflection);
+    std::vector<double> motion;
+    for (std::int64_t i = 0; i < signal.rows(); ++i) {
+        const std::int64_t before = std::max<std::int64_t>(0, i - 1);
+        const std::int64_t after = std::min(i + 1, signal.rows() - 1);
+        const double scale = length * signal.usual[static_cast<std::size_t>(i)];
+        motion.push_back(scale > 0 ? (smooth(after, 0) - smooth(before, 0)) /
+                                         (scale * static_cast<double>(after - before))
+                                   : 0);
+    }
+    return motion;
+}
+
+bool sides_alternate(const std::vector<double>& motion, std::span<const Interval> cycles) {
+    constexpr int phases = 12;
+    double both = 0, energy = 0, count = 0;
+    for (const Interval& cycle : cycles)
+        for (int p = 0; p < phases; ++p) {
+            const double step = cycle.length() / (2 * phases);
+            const double a = at(motion, cycle.begin + p * step);
+            const double b = at(motion, cycle.begin + (p + phases) * step);
+            both += a * b;
+            energy += (a * a + b * b) / 2;
+            ++count;
+        }
+    return energy > least_share * least_share * count && both < alternating * energy;
+}
+
+int leading_side(const std::vector<double>& motion, std::span<const double> borders) {
+    double sum = 0;
+    for (const double border : borders)
+        sum += at(motion, border);
+    return sum < 0 ? 0 : 1;
+}
+
+double first_half_of(const Signal& signal, std::span<const Interval> cycles) {
+    std::vector<double> swing; // as fast as it is: the usual speed may change within a cycle
+    for (std::size_t i = 0; i < signal.side.size(); ++i)
+        swing.push_back(signal.side[i] * signal.usual[i]);
+    constexpr int places = 15, steps = 30;
+    const double bent = 1 + bent_s * signal.rate;
+    const double last = static_cast<double>(swing.size() - 1) - bent;
+    const auto likeness = [&](int step) { // negative mean squared difference of both halves
+        const double half = 0.5 + max_off_middle * step / steps;
+        double sum = 0, count = 0;
+        for (const Interval& cycle : cycles)
+            for (int p = -places; p <= places; ++p) {
+                const double first = cycle.begin + compared_share * p / places * cycle.length();
+                const double second = first + half * cycle.length();
+                if (first < bent || second > last)
+                    continue;
+                const double both = at(swing, first) + at(swing, second);
+                sum += both * both;
+                ++count;
+            }
+        return count > 0 ? -sum / count : 0;
+    };
+    int best = 0;
+    for (int step = -steps; step <= steps; ++step)
+        if (likeness(step) > likeness(best))
+            best = step;
+    const double step =
+        best + parabola_vertex(likeness(best - 1), likeness(best), likeness(best + 1));
+    return 0.5 + max_off_middle * step / steps;
+}
+
+} // namespace stltsa::motion

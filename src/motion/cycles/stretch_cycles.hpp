@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The cycles of a stretch that repeats: whole turns of its phase. They begin in the posture of
+// rest if the motion passes through it, or else where the STLTSA coordinate is steepest between a
+// peak and a valley (paper, section 3.1).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "motion/cycles/growth.hpp"
+#include "motion/cycles/phase_curve.hpp"
+
+namespace stltsa::motion {
+
+/// [begin, end), not rounded.
+struct Interval {
+    double begin = 0;
+    double end = 0;
+
+    double length() const { return end - begin; }
+};
+
+struct CyclicStretch {
+    Stretch stretch;
+    Growth growth;
+    PhaseCurve phase;
+    std::vector<double> borders; ///< rows: cycle i lasts from border i to i + 1
+    bool from_rest = false; ///< the first border is where the motion leaves its posture of rest
+    bool to_rest = false;   ///< the last one is where it is back
+    std::vector<double> confidences; ///< of the cycles
+    std::string doubt;               ///< why no cycle is claimed; empty if cycles are
+
+    bool claimed() const { return doubt.empty(); }
+    std::vector<Interval> cycles() const;
+    double period() const; ///< median length of the cycles, rows
+};
+
+/// Whether both may be of one motion: their cycles are about as long, and the mean cycles alike,
+/// whatever the phase at which they begin.
+bool may_be_one(const CyclicStretch& a, const CyclicStretch& b);
+
+/// Where the body keeps still: at all, and between motions (find_rests(), find_pauses()).
+struct StillRows {
+    const std::vector<Rows>& rests;
+    const std::vector<Rows>& pauses;
+};
+
+/// The cycles of the stretch, which may grow to the rows `within` of its part.
+CyclicStretch cut_stretch(const Signal& signal, const Stretch& stretch, Rows part, Rows within,
+                          const StillRows& still, RowProgress& progress);
+
+} // namespace stltsa::motion

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "motion/recording/analyze.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "ltsa/frames.hpp"
+#include "motion/behaviors/change_points.hpp"
+#include "motion/behaviors/repetitions.hpp"
+#include "motion/cycles/sides.hpp"
+#include "motion/recording/answer.hpp"
+#include "motion/recording/holes.hpp"
+#include "motion/recording/merging.hpp"
+
+namespace stltsa::motion {
+namespace {
+
+constexpr std::int64_t min_samples = 4;
+/// Shorter recordings are not searched for changes of behavior.
+constexpr double shortest_divided_s = 6;
+/// If more segments are wanted, the price of a border falls by this factor, down to the least.
+constexpr double cheaper = 0.5;
+constexpr double least_price = 0.1;
+
+/// As many segments in motion as wanted: finer divisions, of which neighbors are merged.
+void fit_number(const KernelFeatures& features, std::int64_t wanted,
+                const std::function<std::vector<Draft>(double price)>& drafts_at,
+                std::vector<Draft>& drafts) {
+    std::int64_t most = moving(drafts);
+    for (double price = border_price; most < wanted && price > least_price;) {
+        price *= cheaper;
+        std::vector<Draft> finer = drafts_at(price);
+        if (const std::int64_t found = moving(finer); found > most) {
+            most = found;
+            drafts.swap(finer);
+        }
+    }
+    if (most < wanted)
+        fail(Status::argument,
+             "option segments is {}, but only {} segments in motion could be told apart: ask for "
+             "at most {}",
+             wanted, most, most);
+    merge_to(features, wanted, drafts);
+}
+
+/// The ranges of rows that holes touch, in ascending order and disjoint.
+std::vector<Rows> rows_of(const std::vector<Hole>& holes, const Signal& signal) {
+    std::vector<Rows> result;
+    const auto step = static_cast<double>(signal.step);
+    for (const Hole& hole : holes) {
+        const auto begin = static_cast<std::int64_t>(std::floor(hole.begin / step));
+        const auto end = static_cast<std::int64_t>(std::ceil(hole.end / step));
+        if (begin >= signal.rows())
+            continue;
+        const Rows rows{begin, std::min(signal.rows(), std::max(begin + 1, end))};
+        if (!result.empty() && rows.begin <= result.back().end)
+            result.back().end = std::max(result.back().end, rows.end);
+        else
+            result.push_back(rows);
+    }
+    return result;
+}
+
+} // namespace
+
+Recording analyze(ConstMatrixView samples, double fps, const Options& options,
+                  const Progress& progress) {
+    ltsa::check_frames(samples, {&samples.rows, 1});
+    if (samples.rows < min_samples)
+        fail(Status::too_few_frames, "{} samples are too few to decompose; at least {} are needed",
+             samples.rows, min_samples);
+    if (const int power = ltsa::power_if_tiny(samples); power != 0) {
+        Options of_scaled = options;
+        of_scaled.size = std::scalbn(options.size, power);
+        return analyze(ltsa::scaled(samples, power).view(), fps, of_scaled, progress);
+    }
+    const double seconds = static_cast<double>(samples.rows) / fps;
+    Signal signal = make_signal(samples, fps, options.smoothed_s, options.size, progress);
+    if (!options.side.empty()) {
+        signal.side = side_motion(signal, samples, options.side);
+        signal.begin_with_side = options.begin_with_side;
+    }
+    const std::vector<Rows> holes = rows_of(options.holes, signal);
+    std::vector<Rows> rests = find_rests(signal);
+    Pauses pauses = find_pauses(signal, rests);
+    add_holes(holes, rests, pauses);
+    const auto poll_at = [&](double fraction) {
+        return [&progress, fraction] { progress.report(Stage::units, fraction); };
+    };
+    const KernelFeatures features(signal, poll_at(0));
+    const auto drafts_at = [&](double price) {
+        const std::vector<Part> parts = divide(
+            signal, {seconds > shortest_divided_s ? &features : nullptr, price, holes},
+            {rests, pauses.rests}, {options.shortest_period, options.longest_period}, progress);
+        return make_drafts(signal, parts, pauses, poll_at(1));
+    };
+    std::vector<Draft> drafts = drafts_at(border_price);
+    if (options.segments)
+        fit_number(features, *options.segments, drafts_at, drafts);
+    set_labels(features, drafts, poll_at(1));
+    if (!options.segments)
+        join_neighbors(drafts);
+    divide_at_holes(holes, signal.rate, drafts);
+    return answer_of({signal, features, pauses}, std::move(drafts), samples, options);
+}
+
+} // namespace stltsa::motion

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From the parts of a recording to its segments, in rows: cyclic stretches with the motion into and
+// out of them, repetitions, single actions, and rests between them.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "motion/behaviors/repetitions.hpp"
+#include "motion/recording/parts.hpp"
+#include "motion/recording/recording.hpp"
+
+namespace stltsa::motion {
+
+/// A segment in rows.
+struct Draft {
+    SegmentKind kind = SegmentKind::action;
+    double begin = 0;
+    double end = 0;
+    std::vector<CyclicStretch> stretches; ///< cyclic: claimed
+    std::vector<Rows> motions;            ///< repetitions; of an action, itself
+    int group = -1;                       ///< of the motions; -1: cyclic or a rest
+    bool known_motion = false;            ///< it is seen elsewhere between pauses
+    int label = -1;
+    double gain = 0;             ///< of the first border in prices; 0: at a rest, or at the start
+    double candidate_period = 0; ///< rows
+    double best_match = 0;
+    std::string reason;
+
+    Rows rows() const;
+    const CyclicStretch* longest() const; ///< null: it is not cyclic
+};
+
+/// Cover all rows of the signal. `poll` is called every few milliseconds and may throw.
+std::vector<Draft> make_drafts(const Signal& signal, const std::vector<Part>& parts,
+                               const Pauses& pauses, const std::function<void()>& poll);
+
+/// Sets the labels of all that moves: the same motions share one. `poll`: of group().
+void set_labels(const KernelFeatures& features, std::vector<Draft>& drafts,
+                const std::function<void()>& poll);
+
+/// Neighbors with one label that touch become one.
+void join_neighbors(std::vector<Draft>& drafts);
+
+} // namespace stltsa::motion

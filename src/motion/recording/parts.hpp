@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A recording divided where its behavior changes, with the cycles of each part. Borders within one
+// behavior are removed again.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/progress.hpp"
+#include "motion/behaviors/behaviors.hpp"
+#include "motion/cycles/stretch_cycles.hpp"
+
+namespace stltsa::motion {
+
+/// Rows of one behavior.
+struct Part {
+    Rows rows;
+    std::vector<CyclicStretch> stretches; ///< claimed or not
+    double best_match = 0;                ///< see PeriodTrack
+    double best_lag_s = 0;
+    double gain = 0; ///< of its first border, in prices of a border; 0 at a hole or the start
+    bool is_hole = false;
+
+    std::vector<Interval> cycles() const; ///< of the claimed stretches
+};
+
+/// The borders that divide a recording.
+struct Borders {
+    const KernelFeatures* features = nullptr; ///< null: not divided by behavior
+    /// Price of a border; if it is below border_price, borders within one behavior are kept.
+    double price = 0;
+    /// In ascending order, disjoint. Each is a separate part without cycles, so that the rows on
+    /// one side of a hole get the result that they would get alone.
+    std::span<const Rows> holes;
+};
+
+std::vector<Part> divide(const Signal& signal, const Borders& borders, const StillRows& still,
+                         const PeriodRange& periods, const Progress& progress);
+
+} // namespace stltsa::motion
