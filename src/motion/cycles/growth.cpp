@@ -17,7 +17,7 @@ constexpr double seed_periods = 3;
 constexpr double steady = 0.02;
 /// The motion ends where rows are farther from the mean cycle than this share of its variance, or
 /// where it is faster or slower than the tracked period by this factor.
-constexpr double max_deviation = 0.4;
+constexpr double max_deviation = 0.33;
 /// Noise, and what differs from cycle to cycle, may be more: so many times what is usual.
 constexpr double usual_deviations = 2;
 constexpr double deviation_periods = 0.25; // so many rows at a time
