@@ -19,7 +19,7 @@ constexpr double steady = 0.02;
 /// where it is faster or slower than the tracked period by this factor.
 constexpr double max_deviation = 0.33;
 /// Noise, and what differs from cycle to cycle, may be more: so many times what is usual.
-constexpr double usual_deviations = 2;
+constexpr double usual_deviations = 3;
 constexpr double deviation_periods = 0.25; // so many rows at a time
 constexpr double max_tempo_ratio = 1.4;
 /// Periods by which it grows at a time, and at most beyond the tracked rows on each side.
