@@ -17,10 +17,6 @@ constexpr double shortest_frames = 4;
 constexpr std::int64_t longest_frames = 1000;
 /// The search smooths and thins out at a rate: with this one it keeps every frame.
 constexpr double frames_a_second = 30;
-/// In the longer search of rows without a rate, which need not be motion, chance finds more: white
-/// noise, clusters and scikit-learn's digits, in no order, give qualities up to 0.21. Of the 41
-/// real clips in which a period is found 35 give 0.35 to 0.99; the others are waves, 0.01 to 0.17.
-constexpr double least_quality = 0.3;
 /// So many frames hold the longest period 20 times: of a longer recording the middle is searched.
 constexpr std::int64_t most_frames = 20 * longest_frames;
 
@@ -29,10 +25,8 @@ PeriodFacts look_in_frames(ConstMatrixView samples, const PeriodRange& range,
     const std::int64_t rows = std::min(samples.rows, most_frames);
     const motion::Period found = motion::find_period(
         samples.block((samples.rows - rows) / 2, rows), frames_a_second,
-        range.shortest / frames_a_second, range.longest / frames_a_second, progress);
-    const bool is_sure = found.quality >= least_quality;
-    return {is_sure ? found.samples : 0, is_sure ? found.quality : 0, range.shortest,
-            range.longest};
+        {range.shortest / frames_a_second, range.longest / frames_a_second}, progress);
+    return {found.samples, found.quality, range.shortest, range.longest};
 }
 
 /// Neighbors come from the same run, so the shortest limits their number.
@@ -71,7 +65,7 @@ PeriodFacts look_for_period(ConstMatrixView samples, double fps, const PeriodRan
     if (!(fps > 0))
         return look_in_frames(samples, range, progress);
     const motion::Period found =
-        motion::find_period(samples, fps, range.shortest, range.longest, progress);
+        motion::find_period(samples, fps, {range.shortest, range.longest}, progress);
     return {found.samples / fps, found.quality, range.shortest, range.longest};
 }
 

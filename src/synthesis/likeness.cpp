@@ -14,11 +14,6 @@ namespace {
 
 /// Seconds around a piece in which to look for repetitions: three cycles of gait.
 constexpr double context_s = 4;
-/// Range of periods, as for motion units.
-constexpr double shortest_period_s = 0.3;
-constexpr double longest_period_s = 6;
-/// Least depth of a valley of the lag curve that counts as a repetition.
-constexpr double least_quality = 0.4;
 /// Search range for the next cycle, as a share of the period to each side.
 constexpr double lateness = 0.3;
 /// Largest number of frames for the median.
@@ -60,10 +55,9 @@ double period_near(const Track& track, std::int64_t begin, std::int64_t end) {
     const std::int64_t more = std::max<std::int64_t>(0, (context - (end - begin) + 1) / 2);
     const std::int64_t first = std::clamp(begin - more, std::min(track.first, begin), begin);
     const std::int64_t last = std::min(end + more, track.frames());
-    const motion::Period found =
-        motion::find_period(track.postures.view().block(first, last - first), track.fps,
-                            shortest_period_s, longest_period_s);
-    return found.quality >= least_quality ? found.samples / track.fps : 0;
+    return motion::find_period(track.postures.view().block(first, last - first), track.fps, {})
+               .samples /
+           track.fps;
 }
 
 double repetition_distance(const Track& track, std::int64_t begin, std::int64_t end,

@@ -13,12 +13,12 @@ namespace stltsa::motion {
 namespace {
 
 /// Logistic regression on the candidate cycles of the first half of the sets of measure/cycles, in
-/// which those of loops within a period count a quarter and recorded moves three times. Log loss on
-/// the second half: 0.048; 0.07 without the mismatch. The number of turns adds nothing.
-constexpr double base = -1.26;
-constexpr double of_deviation = -0.98;
-constexpr double of_length = -12.1;
-constexpr double of_mismatch = -1.04;
+/// which those of loops within a period count a tenth and recorded moves three times. Log loss on
+/// the second half: 0.043; 0.07 without the mismatch. The number of turns adds nothing.
+constexpr double base = -0.66;
+constexpr double of_deviation = -0.99;
+constexpr double of_length = -13.21;
+constexpr double of_mismatch = -0.82;
 /// Least deviation, and least mismatch one period apart, that are told from none.
 constexpr double min_deviation = 0.01;
 constexpr double min_mismatch = 0.02;

@@ -17,8 +17,6 @@
 namespace stltsa::motion {
 namespace {
 
-/// Turns that must be seen for the motion to repeat.
-constexpr double min_turns = 1.4;
 /// A cycle may lack so much of a turn: phases at the ends are not known better.
 constexpr double turn_tolerance = 0.02;
 /// The mean cycle passes through a posture of rest, and is slow there, if its squared distance from

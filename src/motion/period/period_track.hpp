@@ -10,6 +10,9 @@
 
 namespace stltsa::motion {
 
+/// Turns that must be seen for the motion to repeat.
+constexpr double min_turns = 1.4;
+
 struct PeriodRange {
     double shortest_s = 0.3;
     double longest_s = 6;

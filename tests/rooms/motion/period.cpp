@@ -8,14 +8,11 @@
 namespace {
 
 using namespace motion_testing;
-using stltsa::motion::Activity;
 using stltsa::motion::find_period;
-using stltsa::motion::LagSamples;
-using stltsa::motion::measure_activity;
 using stltsa::motion::Period;
 
 Period period_of(const Matrix& samples, double fps) {
-    return find_period(samples.view(), fps, 0.3, 6);
+    return find_period(samples.view(), fps, {});
 }
 
 void finds_the_period_of_harmonics(void**) {
@@ -26,7 +23,7 @@ void finds_the_period_of_harmonics(void**) {
                 sampled(samples, 10, fps,
                         [&](double t, std::int64_t c) { return cyclic_pose(t / seconds, c); }),
                 fps);
-            ASSERT_NEAR(found.samples / fps, seconds, 0.005 * seconds);
+            ASSERT_NEAR(found.samples / fps, seconds, 0.01 * seconds);
             assert_true(found.quality > 0.9);
         }
 }
@@ -66,7 +63,7 @@ void standing_does_not_count(void**) {
     exercise.stands = exercise.rests = 0.2;
     samples = exercise.samples(fps);
     add_noise(samples, 0.1, 1);
-    ASSERT_NEAR(standing.quality, period_of(samples, fps).quality, 0.03);
+    ASSERT_NEAR(standing.quality, period_of(samples, fps).quality, 0.04);
 }
 
 void finds_no_period_without_repetition(void**) {
@@ -98,22 +95,6 @@ void needs_enough_repetition(void**) {
     assert_true(period_of(once.samples(fps), fps).samples == 0);
 }
 
-void lag_curve_has_known_values(void**) {
-    const double fps = 30;
-    const Matrix circle = sampled(300, 2, fps, [](double t, std::int64_t c) {
-        return c == 0 ? std::cos(turn * t) : std::sin(turn * t);
-    });
-    const Activity activity = measure_activity(circle.view(), fps);
-    const LagSamples samples(circle.view(), activity.level, fps);
-    assert_int_equal(samples.step, 1);
-    const auto curve = lag_curve(samples, 0, 60);
-    ASSERT_NEAR(curve[0], 0, 1e-12);
-    ASSERT_NEAR(curve[15], 2, 0.01); // the opposite
-    ASSERT_NEAR(curve[30], 0, 1e-9);
-    // In between 1 - cos; the means of 253 samples are not exactly 0.
-    ASSERT_NEAR(curve[40], 1 - std::cos(turn / 3), 0.02);
-}
-
 /// 1.2 periods or 1.2 s, between the required number and the number of distinct frames.
 void period_and_frames_determine_the_neighbors(void**) {
     using stltsa::motion::choose_neighbors;
@@ -138,7 +119,6 @@ int main() {
         cmocka_unit_test(standing_does_not_count),
         cmocka_unit_test(finds_no_period_without_repetition),
         cmocka_unit_test(needs_enough_repetition),
-        cmocka_unit_test(lag_curve_has_known_values),
         cmocka_unit_test(period_and_frames_determine_the_neighbors),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);

@@ -53,15 +53,8 @@ void check_polls(double passes, const Work& work) {
 }
 
 void the_search_for_a_period_polls(void**) {
-    const std::vector<double> level(rows, 1);
-    check_polls(2, [&](const Progress& progress, auto) {
-        motion::LagSamples(wide().view(), level, 30, progress);
-    });
-    const motion::LagSamples samples(wide().view(), level, 30);
-    // lag_curve() reports once per lag in any case.
-    check_polls(1.5, [&](const Progress& progress, auto) {
-        motion::lag_curve(samples, 1, 1, progress);
-        motion::lag_curve(samples, 2, 2, progress);
+    check_polls(3, [&](const Progress& progress, auto) {
+        motion::find_period(wide().view(), 30, {}, progress);
     });
 }
 
