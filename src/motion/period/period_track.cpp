@@ -203,7 +203,8 @@ Octave octave(const LagMap& map, double shortest, std::int64_t first,
 /// only, as those of a spiral are: less and less with each turn, and then again.
 double multiple(const LagMap& map, std::int64_t first, const std::vector<double>& lags) {
     const double once = usual_match(map, first, lags, 1);
-    const double most = map.lags.back() / median(lags);
+    const double rows = static_cast<double>(std::ssize(lags) * map.hop);
+    const double most = std::min(map.lags.back(), rows / min_turns) / median(lags);
     double lowest = once, best = once - nearly_as_good, result = 1;
     for (double turns = 2; once < near_match && turns <= most; ++turns) {
         double match = -1, at = turns;
