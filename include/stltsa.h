@@ -959,6 +959,22 @@ STLTSA_API stltsa_status stltsa_decomposition_segment(const stltsa_decomposition
 STLTSA_API const char *
 stltsa_decomposition_segment_reason(const stltsa_decomposition *decomposition,
                                     int64_t index) STLTSA_NOEXCEPT;
+/* How the cycles of a segment divide into steps: the first takes `share` of a cycle, from like
+ * postures of one side to those of the other, exactly 0.5 unless its 95 % interval over the cycles,
+ * `share` +- `margin`, excludes that. share NaN: no steps; margin NaN: fewer than three cycles.
+ * share and margin may be NULL. */
+STLTSA_API stltsa_status
+stltsa_decomposition_first_step(const stltsa_decomposition *decomposition, int64_t segment,
+                                double *share, double *margin) STLTSA_NOEXCEPT;
+/* Why the cycles of a segment have no steps; "" if they have, if there are no cycles, and for an
+ * index out of range. */
+STLTSA_API const char *
+stltsa_decomposition_steps_reason(const stltsa_decomposition *decomposition,
+                                  int64_t segment) STLTSA_NOEXCEPT;
+/* STLTSA_SIDE_* of side 0 or 1 of the cycles and steps, if the names of joints or points state it;
+ * axes are taken to be right-handed. */
+STLTSA_API int32_t stltsa_decomposition_side(const stltsa_decomposition *decomposition,
+                                             int32_t side) STLTSA_NOEXCEPT;
 /* Names of the joints, markers or columns that carry half of the motion of a segment, those that
  * move most first; "" for an index out of range. */
 STLTSA_API int64_t

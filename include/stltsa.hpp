@@ -714,6 +714,19 @@ class Decomposition {
     std::string segment_reason(std::int64_t index) const {
         return stltsa_decomposition_segment_reason(get(), index);
     }
+    /// Share of a cycle of the segment that the first step takes, and how far its 95 % interval
+    /// reaches to each side; NaN: see stltsa_decomposition_first_step().
+    std::pair<double, double> first_step(std::int64_t segment) const {
+        std::pair<double, double> found;
+        detail::check(stltsa_decomposition_first_step(get(), segment, &found.first, &found.second));
+        return found;
+    }
+    /// Why the cycles of the segment have no steps; empty if they have.
+    std::string steps_reason(std::int64_t segment) const {
+        return stltsa_decomposition_steps_reason(get(), segment);
+    }
+    /// STLTSA_SIDE_* of side 0 or 1 of cycles and steps.
+    std::int32_t side(std::int32_t of) const { return stltsa_decomposition_side(get(), of); }
     /// What moves in the segment, most first.
     std::vector<std::string> carriers(std::int64_t segment) const {
         return detail::list(stltsa_decomposition_carrier_count(get(), segment),

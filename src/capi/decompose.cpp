@@ -122,6 +122,32 @@ const char* stltsa_decomposition_segment_reason(const stltsa_decomposition* deco
     return reason == nullptr ? "" : reason->c_str();
 }
 
+stltsa_status stltsa_decomposition_first_step(const stltsa_decomposition* decomposition,
+                                              int64_t segment, double* share,
+                                              double* margin) noexcept {
+    return guard([&] {
+        motion::Halves halves;
+        copy_one(required(decomposition, "decomposition").halves, segment, "segment", halves);
+        if (share != nullptr)
+            *share = halves.first;
+        if (margin != nullptr)
+            *margin = halves.margin;
+    });
+}
+
+const char* stltsa_decomposition_steps_reason(const stltsa_decomposition* decomposition,
+                                              int64_t segment) noexcept {
+    const motion::Halves* halves =
+        decomposition == nullptr ? nullptr : element(decomposition->halves, segment);
+    return halves == nullptr ? "" : halves->reason.c_str();
+}
+
+int32_t stltsa_decomposition_side(const stltsa_decomposition* decomposition,
+                                  int32_t side) noexcept {
+    return decomposition == nullptr ? STLTSA_SIDE_NONE
+                                    : static_cast<int32_t>(decomposition->named_side(side));
+}
+
 int64_t stltsa_decomposition_carrier_count(const stltsa_decomposition* decomposition,
                                            int64_t segment) noexcept {
     const auto* names =

@@ -7,6 +7,8 @@
 
 #include "base/numbers.hpp"
 
+#include "motion/curve/statistics.hpp"
+
 namespace stltsa::phase {
 namespace {
 
@@ -68,38 +70,6 @@ std::vector<double> centered(std::vector<double> values) {
 }
 
 } // namespace
-
-// Hill, Algorithm 396: Student's t-quantiles, Communications of the ACM 13, 1970.
-double t_quantile(double freedom) {
-    constexpr double both_tails = 0.05;
-    constexpr double normal = -1.959963984540054; // quantile of one tail
-    const double a = 1 / (freedom - 0.5);
-    const double b = 48 / square(a);
-    double c = ((20700 * a / b - 98) * a - 16) * a + 96.36;
-    const double d = ((94.5 / (b + c) - 3) / b + 1) * std::sqrt(a * std::numbers::pi / 2) * freedom;
-    double y = std::pow(d * both_tails, 2 / freedom);
-    if (y > 0.05 + a) {
-        if (freedom < 5)
-            c += 0.3 * (freedom - 4.5) * (normal + 0.6);
-        c = (((0.05 * d * normal - 5) * normal - 7) * normal - 2) * normal + b + c;
-        y = square(normal);
-        y = (((((0.4 * y + 6.3) * y + 36) * y + 94.5) / c - y - 3) / b + 1) * normal;
-        y = std::expm1(a * square(y));
-    } else {
-        y = ((1 / (((freedom + 6) / (freedom * y) - 0.089 * d - 0.822) * (freedom + 2) * 3) +
-              0.5 / (freedom + 4)) *
-                 y -
-             1) *
-                (freedom + 1) / (freedom + 2) +
-            1 / y;
-    }
-    const double found = std::sqrt(freedom * y);
-    // Below 2 it is too large, by 18 % at 1. An interpolation between the exact values at 1 and 2
-    // is too large by at most 2.6 %.
-    constexpr double of_one = 12.706204736174698, of_two = 4.302652729749464;
-    return freedom < 2 ? std::min(found, of_two * std::pow(of_one / of_two, 2 / freedom - 1))
-                       : found;
-}
 
 double deviation_of(const std::vector<double>& deviations) {
     if (deviations.size() < 2)
@@ -169,13 +139,13 @@ Uncertainty uncertainty(const Spread& first, const Spread& second) {
     const double freedom =
         square(a + b) / (square(a) / freedom_of(first) + square(b) / freedom_of(second));
     const double standard = std::sqrt(a + b);
-    return {standard, standard * t_quantile(std::max(1.0, freedom))};
+    return {standard, standard * motion::t_quantile(std::max(1.0, freedom))};
 }
 
 Uncertainty uncertainty(const Spread& differences) {
     const double standard = std::sqrt(variance_of_mean(differences));
     return {standard,
-            differences.count > 1 ? standard * t_quantile(freedom_of(differences)) : none};
+            differences.count > 1 ? standard * motion::t_quantile(freedom_of(differences)) : none};
 }
 
 Estimate estimate(const Quantity& first, const Quantity& second, const Dependence& dependence) {

@@ -23,10 +23,6 @@ struct Estimate {
     bool significant = false; ///< the interval excludes 0, by more than rounding
 };
 
-/// 97.5 % quantile of Student's t distribution. `freedom`: degrees of freedom, at least 1, not
-/// necessarily whole.
-double t_quantile(double freedom);
-
 /// By what factor the variance of a mean is larger than for independent values, because cycles
 /// resemble those before them; at least 1.
 class Persistence {

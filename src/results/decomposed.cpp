@@ -289,6 +289,12 @@ std::shared_ptr<const FrameRows> frame_rows(const clip::Clip& clip, const Source
 
 } // namespace
 
+Side Decomposed::named_side(std::int32_t side) const {
+    if (side < 0 || side > 1 || side_one == Side::neither)
+        return Side::neither;
+    return (side == 1) == (side_one == Side::left) ? Side::left : Side::right;
+}
+
 Parts Decomposed::parts(std::int32_t kind) const {
     switch (kind) {
     case STLTSA_PART_CYCLE:
@@ -329,6 +335,8 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
     made.source = std::move(prepared.source);
     made.source.period = {found.curve.period / fps, found.curve.lag_quality,
                           options.shortest_period, options.longest_period};
+    made.side_one = side_one_of(clip::column_owners(clip, samples.features), options.side,
+                                prepared.samples.view(), samples.up);
     made.rows =
         frame_rows(clip, made.source, std::move(options.side), std::move(drifting), prepared);
     const SourceFrames frames(made.source);
@@ -337,6 +345,7 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
         made.segments.push_back(segment_of(segment, frames));
         made.carriers.push_back(carriers_of(segment.energy, owners));
         made.reasons.push_back(segment.reason);
+        made.halves.push_back(segment.halves);
     }
     frames.cover_file(made.segments);
     made.units = units_of(found, frames);

@@ -46,6 +46,8 @@ struct Decomposed {
     std::vector<stltsa_segment> segments;           ///< cover the file, as the units do
     std::vector<std::vector<std::string>> carriers; ///< of each segment, what moves most first
     std::vector<std::string> reasons;               ///< of each segment; empty: it repeats
+    std::vector<motion::Halves> halves;             ///< of each segment
+    Side side_one = Side::neither;                  ///< the side that is 1 in cycles and steps
     std::vector<stltsa_interval> units;
     std::vector<std::int64_t> postures; ///< frames for pictures: see telling_postures()
     std::vector<stltsa_interval> cycles;
@@ -57,6 +59,8 @@ struct Decomposed {
     std::shared_ptr<const FrameRows> rows;
     std::shared_ptr<PhaseOnce> phase = std::make_shared<PhaseOnce>();
 
+    /// The side that side 0 or 1 of cycles and steps is.
+    Side named_side(std::int32_t side) const;
     Parts parts(std::int32_t kind) const; ///< STLTSA_PART_*; none of an unknown kind
 };
 

@@ -8,6 +8,8 @@
 #include "clip/body/skeleton.hpp"
 #include "clip/features/column_owners.hpp"
 #include "clip/features/point_sides.hpp"
+#include "linalg/principal.hpp"
+#include "linalg/simd.hpp"
 
 namespace stltsa::results {
 namespace {
@@ -93,6 +95,16 @@ Matrix stacked(const std::vector<Matrix>& parts, std::int64_t rows) {
     return all;
 }
 
+/// LHEE is left beside RHEE.
+Side side_by_name(const std::vector<std::string>& names, const std::string& name) {
+    if (const Side side = side_of_name(name); side != Side::neither)
+        return side;
+    for (const OtherSide& other : other_sides(name, true))
+        if (std::ranges::find(names, other.name) != names.end())
+            return other.side;
+    return Side::neither;
+}
+
 } // namespace
 
 ClipSamples prepare_clips(Clips clips, clip::PrepareOptions options, const Progress& progress) {
@@ -131,6 +143,32 @@ std::vector<double> side_weights_of(const clip::Clip& clip, const SampleFacts& f
     if (facts.features == clip::Features::points)
         return clip::point_side_weights(clip, facts.up, samples);
     return clip::side_weights(clip, facts.features, facts.up, samples);
+}
+
+Side side_one_of(const std::vector<std::string>& owners, const std::vector<double>& weights,
+                 ConstMatrixView samples, clip::Axis up) {
+    if (weights.empty() || up == clip::Axis::none)
+        return Side::neither;
+    const auto above = static_cast<std::size_t>(up) - 1;
+    const std::vector<double> means = column_means(samples);
+    const double* direction = nullptr;
+    int lefts = 0;       // less rights, of the points whose weights have this direction
+    double left[3] = {}; // from the right side to the left one
+    for (std::size_t c = 0; c + 2 < weights.size(); c += 3) {
+        const double* weight = &weights[c];
+        const Side named = side_by_name(owners, owners[c]);
+        if (dot(weight, weight, 3) == 0 || named == Side::neither)
+            continue;
+        direction = direction == nullptr ? weight : direction;
+        lefts += (named == Side::left) == (dot(weight, direction, 3) > 0) ? 1 : -1;
+        axpy(named == Side::left ? 1 : -1, &means[c], left, 3);
+    }
+    if (lefts == 0)
+        return Side::neither;
+    // Forward is left x up.
+    const std::size_t first = (above + 1) % 3, second = (above + 2) % 3;
+    const double forward = direction[first] * left[second] - direction[second] * left[first];
+    return (forward > 0) == (lefts > 0) ? Side::left : Side::right;
 }
 
 Source matrix_source(ConstMatrixView frames, double fps) {

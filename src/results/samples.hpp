@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
+#include "base/side_name.hpp"
 #include "clip/features/prepare.hpp"
 #include "results/facts.hpp"
 
@@ -40,6 +41,12 @@ ClipSamples prepare_clips(Clips clips, clip::PrepareOptions options, const Progr
 /// points. Empty if there are not two sides.
 std::vector<double> side_weights_of(const clip::Clip& clip, const SampleFacts& facts,
                                     ConstMatrixView samples);
+
+/// The side that side 1 of cycles and steps is, by the names of the weighted joints or points: the
+/// one that moves forward while the weighted sum of velocities is positive. Axes are right-handed.
+/// `owners`: of each column; three columns each.
+Side side_one_of(const std::vector<std::string>& owners, const std::vector<double>& weights,
+                 ConstMatrixView samples, clip::Axis up);
 
 /// The source of a matrix, which has no clips. fps 0: unknown.
 Source matrix_source(ConstMatrixView frames, double fps);

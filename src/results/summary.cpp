@@ -6,7 +6,7 @@
 #include <map>
 
 #include "base/numbers.hpp"
-#include "phase/estimate.hpp"
+#include "motion/curve/statistics.hpp"
 
 namespace stltsa::results {
 namespace {
@@ -141,7 +141,7 @@ double trend_margin(std::span<const stltsa_segment> segments, std::span<const st
     const Line line = line_through(lengths);
     const auto freedom = static_cast<double>(lengths.value.size() - 2);
     const double error = std::sqrt(std::max(0.0, line.squares_left()) / freedom / line.spread);
-    return minute * phase::t_quantile(freedom) * error / line.mean;
+    return minute * motion::t_quantile(freedom) * error / line.mean;
 }
 
 } // namespace stltsa::results

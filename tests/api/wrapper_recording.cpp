@@ -53,6 +53,11 @@ void a_recording_is_divided_into_segments(void**) {
     assert_int_equal(cyclic->count, 3);
     assert_string_equal(found.segment_reason(index).c_str(), "");
     assert_true(!found.carriers(index).empty());
+    assert_true(found.first_step(index).first == 0.5);
+    assert_string_equal(found.steps_reason(index).c_str(), "");
+    assert_true(found.side(0) == STLTSA_SIDE_LEFT || found.side(0) == STLTSA_SIDE_RIGHT);
+    assert_int_equal(found.side(0) + found.side(1), STLTSA_SIDE_RIGHT);
+    assert_int_equal(found.side(2), STLTSA_SIDE_NONE);
     const std::vector<stltsa::Part> cycles = found.parts(STLTSA_PART_CYCLE);
     assert_int_equal(cycles.size(), 3);
     assert_int_equal(found.part_count(STLTSA_PART_STEP), 6);

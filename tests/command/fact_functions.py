@@ -203,6 +203,24 @@ def summaries(field):
     return lambda h: list(of(h))
 
 
+def first_step(which):
+    def of(h):
+        for index in range(value("decomposition_segment_count", c_int64, h.pointer)):
+            found = [c_double(), c_double()]
+            call("decomposition_first_step", h.pointer, c_int64(index), *map(byref, found))
+            yield number(found[which].value)
+
+    return lambda h: list(of(h))
+
+
+def side_names(kind):
+    def name(h, side):
+        named = value("decomposition_side", c_int32, h.pointer, c_int32(side))
+        return None if named < 0 else ("left", "right")[named]
+
+    return lambda h: [name(h, side) for side in parts(kind, "side")(h)]
+
+
 SPAN = ("begin", "end", "begin_s", "end_s")
 SEGMENTS = {
     "kind": segments("kind", lambda kind: value("segment_name", c_char_p, kind).decode()),
@@ -215,18 +233,24 @@ SEGMENTS = {
     "open_begin": segments("open_begin", bool),
     "open_end": segments("open_end", bool),
     "begin_confidence": segments("begin_confidence", number),
+    "first_step_share": first_step(0),
+    "first_step_margin": first_step(1),
+    "steps_reason": lambda h: [text(reason.decode()) for reason in
+                               of_segments("decomposition_steps_reason", c_char_p)(h)],
     "reason": lambda h: [text(reason.decode()) for reason in
                          of_segments("decomposition_segment_reason", c_char_p)(h)],
 }
 CYCLES = {
     **{field: parts(1, field) for field in (*SPAN, "segment", "confidence")},
     "side": parts(1, "side", chosen),
+    "side_name": side_names(1),
     "likeness": parts(1, "likeness", number),
     **travels(1, "travel"),
 }
 STEPS = {
     **{field: parts(2, field) for field in (*SPAN, "segment", "side")},
     "cycle": parts(2, "parent"),
+    "side_name": side_names(2),
     **travels(2, "travel"),
 }
 REPETITIONS = {

@@ -234,6 +234,9 @@ stltsa_status read_parts(const std::string&) {
     stltsa_decomposition_statistics(parts, STLTSA_PART_CYCLE, 0, -1, STLTSA_QUANTITY_TIME,
                                     &statistics);
     stltsa_decomposition_segment_reason(parts, 0);
+    stltsa_decomposition_steps_reason(parts, 0);
+    stltsa_decomposition_side(parts, 0);
+    calls.make([&] { return stltsa_decomposition_first_step(parts, 0, nullptr, nullptr); });
     stltsa_decomposition_carrier(parts, 0, 0);
     stltsa_decomposition_reason(parts);
     stltsa_decomposition_warning(parts, 0);

@@ -34,7 +34,9 @@ Json segments_json(const Decomposed& decomposed) {
                    "carried_by", decomposed.carriers[i], "open_begin", segment.open_begin == 1,
                    "open_end", segment.open_end == 1, "confidence", segment.confidence,
                    "begin_confidence", segment.begin_confidence, "reason",
-                   json_string_or_null(decomposed.reasons[i]));
+                   json_string_or_null(decomposed.reasons[i]), "first_step_share",
+                   decomposed.halves[i].first, "first_step_margin", decomposed.halves[i].margin,
+                   "steps_reason", json_string_or_null(decomposed.halves[i].reason));
         list.push_back(object);
     }
     return list;
@@ -54,6 +56,14 @@ Json side_json(int32_t side) {
     return side < 0 ? Json(nullptr) : Json(side);
 }
 
+/// Null if names do not state it.
+Json side_name_json(const Decomposed& decomposed, int32_t side) {
+    const Side named = decomposed.named_side(side);
+    if (named == Side::neither)
+        return nullptr;
+    return named == Side::left ? "left" : "right";
+}
+
 /// Null if nothing is known.
 Json travel_json(const stltsa_travel& travel) {
     if (!std::isfinite(travel.way))
@@ -67,7 +77,8 @@ Json cycles_json(const Decomposed& decomposed) {
     for (const stltsa_part& cycle : decomposed.cycle_parts) {
         JsonObject object("segment", cycle.segment);
         set_span(object, cycle);
-        object.set("side", side_json(cycle.side), "likeness", cycle.likeness, "confidence",
+        object.set("side", side_json(cycle.side), "side_name",
+                   side_name_json(decomposed, cycle.side), "likeness", cycle.likeness, "confidence",
                    cycle.confidence, "travel", travel_json(decomposed.cycle_travels[list.size()]));
         list.push_back(object);
     }
@@ -79,8 +90,8 @@ Json steps_json(const Decomposed& decomposed) {
     for (const stltsa_part& step : decomposed.steps) {
         JsonObject object("segment", step.segment, "cycle", step.parent);
         set_span(object, step);
-        object.set("side", side_json(step.side), "travel",
-                   travel_json(decomposed.step_travels[list.size()]));
+        object.set("side", side_json(step.side), "side_name", side_name_json(decomposed, step.side),
+                   "travel", travel_json(decomposed.step_travels[list.size()]));
         list.push_back(object);
     }
     return list;

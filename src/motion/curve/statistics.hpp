@@ -26,6 +26,10 @@ double correlation(std::span<const double> a, std::span<const double> b);
 /// cosine of this period, 0 for noise.
 double cyclicity(std::span<const double> coordinate, std::size_t period);
 
+/// 97.5 % quantile of Student's t distribution. `freedom`: degrees of freedom, at least 1, not
+/// necessarily whole.
+double t_quantile(double freedom);
+
 std::vector<double> column_of(ConstMatrixView matrix, std::int64_t column);
 
 } // namespace stltsa::motion

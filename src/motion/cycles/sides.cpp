@@ -7,6 +7,7 @@
 #include "linalg/gaussian.hpp"
 #include "linalg/simd.hpp"
 #include "motion/curve/extrema.hpp"
+#include "motion/curve/statistics.hpp"
 
 namespace stltsa::motion {
 namespace {
@@ -21,6 +22,10 @@ constexpr double least_share = 0.22;
 /// same body, so that every cycle would seem to have equal halves.
 constexpr double compared_share = 0.15;
 constexpr double max_off_middle = 0.15;
+/// Interpolation between rows alone moves the middle by less than this share of a cycle.
+constexpr double resolution = 0.002;
+/// Fewer cycles have no interval that is worth stating.
+constexpr std::size_t min_cycles = 3;
 /// Seconds at the ends of the recording in which smoothing bends velocities.
 constexpr double bent_s = 0.15;
 constexpr double smoothing_s = 0.04;
@@ -36,6 +41,61 @@ double at(const std::vector<double>& motion, double row) {
     };
     const double a = value(i - 1), b = value(i), c = value(i + 1), d = value(i + 2);
     return b + x * ((c - a) + x * ((2 * a - 5 * b + 4 * c - d) + x * (3 * (b - c) + d - a))) / 2;
+}
+
+/// Whether each side does in one half of the cycles what the other does in the next.
+bool sides_alternate(const std::vector<double>& motion, std::span<const Interval> cycles) {
+    constexpr int phases = 12;
+    double both = 0, energy = 0, count = 0;
+    for (const Interval& cycle : cycles)
+        for (int p = 0; p < phases; ++p) {
+            const double step = cycle.length() / (2 * phases);
+            const double a = at(motion, cycle.begin + p * step);
+            const double b = at(motion, cycle.begin + (p + phases) * step);
+            both += a * b;
+            energy += (a * a + b * b) / 2;
+            ++count;
+        }
+    return energy > least_share * least_share * count && both < alternating * energy;
+}
+
+/// The share of the cycles after which the swing is the opposite of what it is around their begins.
+double first_half(const std::vector<double>& swing, double bent, std::span<const Interval> cycles) {
+    constexpr int places = 15, steps = 30;
+    const double last = static_cast<double>(swing.size() - 1) - bent;
+    const auto likeness = [&](int step) { // negative mean squared difference of both halves
+        const double half = 0.5 + max_off_middle * step / steps;
+        double sum = 0, count = 0;
+        for (const Interval& cycle : cycles)
+            for (int p = -places; p <= places; ++p) {
+                const double first = cycle.begin + compared_share * p / places * cycle.length();
+                const double second = first + half * cycle.length();
+                if (first < bent || second > last)
+                    continue;
+                const double both = at(swing, first) + at(swing, second);
+                sum += both * both;
+                ++count;
+            }
+        return count > 0 ? -sum / count : 0;
+    };
+    int best = 0;
+    for (int step = -steps; step <= steps; ++step)
+        if (likeness(step) > likeness(best))
+            best = step;
+    const double step =
+        best + parabola_vertex(likeness(best - 1), likeness(best), likeness(best + 1));
+    return 0.5 + max_off_middle * step / steps;
+}
+
+/// Half of the 95 % interval of the mean.
+double margin_of(const std::vector<double>& values) {
+    const auto count = static_cast<double>(values.size());
+    double mean = 0, squares = 0;
+    for (const double value : values)
+        mean += value / count;
+    for (const double value : values)
+        squares += (value - mean) * (value - mean);
+    return t_quantile(count - 1) * std::sqrt(squares / (count - 1) / count);
 }
 
 } // namespace
@@ -61,21 +121,6 @@ std::vector<double> side_motion(const Signal& signal, ConstMatrixView samples,
     return motion;
 }
 
-bool sides_alternate(const std::vector<double>& motion, std::span<const Interval> cycles) {
-    constexpr int phases = 12;
-    double both = 0, energy = 0, count = 0;
-    for (const Interval& cycle : cycles)
-        for (int p = 0; p < phases; ++p) {
-            const double step = cycle.length() / (2 * phases);
-            const double a = at(motion, cycle.begin + p * step);
-            const double b = at(motion, cycle.begin + (p + phases) * step);
-            both += a * b;
-            energy += (a * a + b * b) / 2;
-            ++count;
-        }
-    return energy > least_share * least_share * count && both < alternating * energy;
-}
-
 int leading_side(const std::vector<double>& motion, std::span<const double> borders) {
     double sum = 0;
     for (const double border : borders)
@@ -83,35 +128,24 @@ int leading_side(const std::vector<double>& motion, std::span<const double> bord
     return sum < 0 ? 0 : 1;
 }
 
-double first_half_of(const Signal& signal, std::span<const Interval> cycles) {
+Halves halves_of(const Signal& signal, std::span<const Interval> cycles) {
+    if (signal.side.empty())
+        return {unknown, unknown,
+                "the two sides of the body are not known: they are those of a skeleton, or of "
+                "points with names such as LHEE and RHEE"};
+    if (!sides_alternate(signal.side, cycles))
+        return {unknown, unknown, "the two sides of the body do not swing in turn"};
     std::vector<double> swing; // as fast as it is: the usual speed may change within a cycle
     for (std::size_t i = 0; i < signal.side.size(); ++i)
         swing.push_back(signal.side[i] * signal.usual[i]);
-    constexpr int places = 15, steps = 30;
     const double bent = 1 + bent_s * signal.rate;
-    const double last = static_cast<double>(swing.size() - 1) - bent;
-    const auto likeness = [&](int step) { // negative mean squared difference of both halves
-        const double half = 0.5 + max_off_middle * step / steps;
-        double sum = 0, count = 0;
-        for (const Interval& cycle : cycles)
-            for (int p = -places; p <= places; ++p) {
-                const double first = cycle.begin + compared_share * p / places * cycle.length();
-                const double second = first + half * cycle.length();
-                if (first < bent || second > last)
-                    continue;
-                const double both = at(swing, first) + at(swing, second);
-                sum += both * both;
-                ++count;
-            }
-        return count > 0 ? -sum / count : 0;
-    };
-    int best = 0;
-    for (int step = -steps; step <= steps; ++step)
-        if (likeness(step) > likeness(best))
-            best = step;
-    const double step =
-        best + parabola_vertex(likeness(best - 1), likeness(best), likeness(best + 1));
-    return 0.5 + max_off_middle * step / steps;
+    if (cycles.size() < min_cycles)
+        return {0.5, unknown, {}};
+    std::vector<double> each;
+    for (std::size_t i = 0; i < cycles.size(); ++i)
+        each.push_back(first_half(swing, bent, cycles.subspan(i, 1)));
+    const double all = first_half(swing, bent, cycles), margin = margin_of(each);
+    return {std::abs(all - 0.5) > std::max(margin, resolution) ? all : 0.5, margin, {}};
 }
 
 } // namespace stltsa::motion

@@ -2,25 +2,34 @@
 // Which side of the body does what in a cycle.
 #pragma once
 
+#include <limits>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "motion/cycles/stretch_cycles.hpp"
 
 namespace stltsa::motion {
 
+inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
 /// How fast the sides swing against each other at each row, relative to how fast the body usually
 /// moves: the velocity, weighted as Options::side says. The mirror image has the negative.
 std::vector<double> side_motion(const Signal& signal, ConstMatrixView samples,
                                 const std::vector<double>& side);
 
-/// Whether each side does in one half of the cycles what the other does in the next.
-bool sides_alternate(const std::vector<double>& motion, std::span<const Interval> cycles);
-
 /// The side that comes forward where the cycles begin, 0 or 1.
 int leading_side(const std::vector<double>& motion, std::span<const double> borders);
 
-/// Share of the cycles after which the other side does what the first does where they begin.
-double first_half_of(const Signal& signal, std::span<const Interval> cycles);
+/// How cycles divide into steps.
+struct Halves {
+    double first = unknown;  ///< share of a cycle that the first step takes; NaN: there are none
+    double margin = unknown; ///< its 95 % interval is that far to each side; NaN: too few cycles
+    std::string reason;      ///< why there are no steps
+};
+
+/// The first step ends where the other side does what the first does where the cycles begin. It is
+/// half of a cycle unless the interval excludes that.
+Halves halves_of(const Signal& signal, std::span<const Interval> cycles);
 
 } // namespace stltsa::motion

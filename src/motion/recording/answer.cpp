@@ -49,16 +49,17 @@ void append_cyclic(Work& work, const Draft& draft, Segment& segment) {
     const auto index = static_cast<std::int64_t>(work.result.segments.size());
     const std::vector<double>& motion = work.signal.side;
     std::vector<double> confidences, lengths;
+    segment.halves = halves_of(work.signal, draft.cycles());
+    const bool steps = segment.halves.reason.empty();
     for (const CyclicStretch& cut : draft.stretches) {
         const std::vector<Interval> cycles = cut.cycles();
-        const bool steps = !motion.empty() && sides_alternate(motion, cycles);
-        const double half = steps ? first_half_of(work.signal, cycles) : 0;
         const int side = steps ? leading_side(motion, cut.borders) : -1;
         for (std::size_t i = 0; i < cycles.size(); ++i) {
             const Interval& cycle = cycles[i];
             const double begin = work.sample(cycle.begin), end = work.sample(cycle.end);
             if (steps) {
-                const double middle = work.sample(cycle.begin + half * cycle.length());
+                const double middle =
+                    work.sample(cycle.begin + segment.halves.first * cycle.length());
                 const auto number = static_cast<std::int64_t>(work.result.cycles.size());
                 work.result.steps.push_back({index, number, begin, middle, side});
                 work.result.steps.push_back({index, number, middle, end, 1 - side});

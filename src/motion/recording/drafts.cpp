@@ -415,6 +415,13 @@ Rows Draft::rows() const {
     return {first, std::max(first + 1, static_cast<std::int64_t>(std::lround(end)))};
 }
 
+std::vector<Interval> Draft::cycles() const {
+    std::vector<Interval> all;
+    for (const CyclicStretch& cut : stretches)
+        std::ranges::copy(cut.cycles(), std::back_inserter(all));
+    return all;
+}
+
 const CyclicStretch* Draft::longest() const {
     const auto found = std::ranges::max_element(
         stretches, {}, [](const CyclicStretch& cut) { return cut.growth.run.rows(); });

@@ -29,6 +29,7 @@ struct Draft {
     std::string reason;
 
     Rows rows() const;
+    std::vector<Interval> cycles() const;
     const CyclicStretch* longest() const; ///< null: it is not cyclic
 };
 

@@ -12,6 +12,7 @@
 #include "base/warning.hpp"
 #include "linalg/matrix.hpp"
 #include "ltsa/parameters.hpp"
+#include "motion/cycles/sides.hpp"
 
 namespace stltsa::motion {
 
@@ -22,8 +23,6 @@ enum class SegmentKind : std::int32_t {
     action = 3,      ///< a motion that is seen once
     rest = 4,
 };
-
-inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// A stretch of one behavior, [begin, end) in samples, not rounded.
 struct Segment {
@@ -41,6 +40,7 @@ struct Segment {
     double confidence = 0;
     double begin_confidence = unknown; ///< of its first border; NaN at the start
     std::string reason;                ///< why no cycles are claimed
+    Halves halves;                     ///< of its cycles
 };
 
 struct Cycle {

@@ -139,18 +139,41 @@ void cycles_begin_on_one_side(void**) {
     std::vector<double> motion;
     for (int i = 0; i < 200; ++i)
         motion.push_back(std::sin(2 * std::numbers::pi * (i - 10) / 40));
-    const std::vector<Interval> cycles{{20, 60}, {60, 100}};
-    assert_true(sides_alternate(motion, cycles));
+    const std::vector<Interval> cycles{{20, 60}, {60, 100}, {100, 140}};
+    Signal signal;
+    signal.rate = 30;
+    signal.usual.assign(motion.size(), 1);
+    assert_false(halves_of(signal, cycles).reason.empty());
+    signal.side = motion;
+    assert_true(halves_of(signal, cycles).reason.empty());
+    ASSERT_NEAR(halves_of(signal, cycles).first, 0.5, 0);
+    assert_true(std::isnan(halves_of(signal, std::span(cycles).first(2)).margin));
     // The motion is positive at 20 and negative at 40.
     assert_int_equal(leading_side(motion, std::vector<double>{20, 60, 100}), 1);
     assert_int_equal(leading_side(motion, std::vector<double>{40, 80, 120}), 0);
-    const std::vector<double> steady(200, 1);
-    assert_false(sides_alternate(steady, cycles));
+    signal.side.assign(200, 1);
+    assert_false(halves_of(signal, cycles).reason.empty());
     // Both sides move alike, twice in each cycle.
-    std::vector<double> twice;
     for (int i = 0; i < 200; ++i)
-        twice.push_back(std::sin(2 * std::numbers::pi * (i - 10) / 20));
-    assert_false(sides_alternate(twice, cycles));
+        signal.side[static_cast<std::size_t>(i)] = std::sin(2 * std::numbers::pi * (i - 10) / 20);
+    assert_false(halves_of(signal, cycles).reason.empty());
+}
+
+/// The second step is longer than the first in each cycle.
+void unequal_steps_are_unequal(void**) {
+    Signal signal;
+    signal.rate = 30;
+    const auto swing = [](double phase) {
+        const double off = (phase - std::round(phase)) / 0.1;
+        return std::exp(-off * off / 2);
+    };
+    for (int i = 0; i < 200; ++i)
+        signal.side.push_back(swing((i - 20) / 40.0) - swing((i - 20) / 40.0 - 0.55));
+    signal.usual.assign(200, 1);
+    const std::vector<Interval> cycles{{20, 60}, {60, 100}, {100, 140}};
+    const Halves halves = halves_of(signal, cycles);
+    ASSERT_NEAR(halves.first, 0.55, 0.02);
+    assert_true(halves.margin < 0.01);
 }
 
 /// Each step polls while it works on half an hour, in which the motion changes every ten seconds.
@@ -218,6 +241,7 @@ int main() {
         cmocka_unit_test(the_curve_keeps_phase_and_sign),
         cmocka_unit_test(rests_and_motions_between_them),
         cmocka_unit_test(cycles_begin_on_one_side),
+        cmocka_unit_test(unequal_steps_are_unequal),
         cmocka_unit_test(steps_of_long_recordings_poll),
         cmocka_unit_test(drafts_poll_between_repetitions),
     };

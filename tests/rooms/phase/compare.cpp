@@ -4,6 +4,7 @@
 #include <random>
 
 #include "../motion/testing.hpp"
+#include "motion/curve/statistics.hpp"
 #include "phase/compare.hpp"
 #include "phase/lag.hpp"
 
@@ -27,7 +28,8 @@ void quantiles_are_those_of_tables(void**) {
     const double table[][2] = {{1, 12.7062}, {1.5, 6.0167}, {2, 4.3027},  {3, 3.1824},
                                {5, 2.5706},  {10, 2.2281},  {30, 2.0423}, {1000, 1.9623}};
     for (const auto& [freedom, value] : table)
-        ASSERT_NEAR(t_quantile(freedom) / value, 1, freedom < 2 && freedom > 1 ? 0.03 : 5e-4);
+        ASSERT_NEAR(stltsa::motion::t_quantile(freedom) / value, 1,
+                    freedom < 2 && freedom > 1 ? 0.03 : 5e-4);
 }
 
 void a_lag_is_found_to_a_part_of_a_sample(void**) {

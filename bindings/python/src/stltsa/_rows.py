@@ -34,7 +34,9 @@ class Segment(NamedTuple):
     `kind` is ``"cyclic"``, ``"repetitions"``, ``"action"`` or ``"rest"``. Segments of the same
     motion share a `label`, "A", "B", ... in order of appearance; that of a rest is empty. `number`
     is that of cycles or repetitions. `carried_by` names the joints, markers or columns that move
-    most. Numbers that do not apply are NaN.
+    most. The first step of a cycle takes `first_step_share` of it, with a 95 % interval that reaches
+    `first_step_margin` to each side; `steps_reason` says why there are none. Numbers that do not
+    apply are NaN.
     """
 
     kind: str
@@ -53,6 +55,9 @@ class Segment(NamedTuple):
     open_end: bool
     carried_by: tuple[str, ...]
     reason: str
+    first_step_share: float
+    first_step_margin: float
+    steps_reason: str
 
     @property
     def duration_s(self) -> float:
@@ -64,7 +69,8 @@ class Part(NamedTuple):
     """A cycle, a step or a repetition: ``[begin, end)`` in source frames, and in seconds.
 
     `segment` is an index into the segments; `cycle`, of a step, one into the cycles, else -1.
-    `side` tells which side of the body leads, 0 or 1, and -1 if it is unknown. `way` is the length
+    `side` tells which side of the body leads, 0 or 1, and -1 if it is unknown; `side_name` is
+    "left" or "right" if names state it, else empty. `way` is the length
     of the body's path over the ground, `stride` the distance between its ends, `speed` `way` a
     second, all in the unit of the file, and `turn` in degrees, counterclockwise as seen from above.
     NaN: unknown.
@@ -77,6 +83,7 @@ class Part(NamedTuple):
     begin_s: float
     end_s: float
     side: int
+    side_name: str
     likeness: float
     confidence: float
     way: float

@@ -214,9 +214,10 @@ class Decomposition(Described):
     @property
     def segment_list(self) -> tuple[Segment, ...]:
         """The segments in temporal order; they cover the clip without gap or overlap."""
-        result, raw = [], ffi.new("stltsa_segment *")
+        result, raw, step = [], ffi.new("stltsa_segment *"), ffi.new("double[2]")
         for index in range(lib.stltsa_decomposition_segment_count(self._handle)):
             check(lib.stltsa_decomposition_segment(self._handle, index, raw))
+            check(lib.stltsa_decomposition_first_step(self._handle, index, step, step + 1))
             result.append(
                 Segment(
                     kind=string(lib.stltsa_segment_name(raw.kind)),
@@ -235,6 +236,9 @@ class Decomposition(Described):
                     open_end=bool(raw.open_end),
                     carried_by=self._carriers(index),
                     reason=string(lib.stltsa_decomposition_segment_reason(self._handle, index)),
+                    first_step_share=step[0],
+                    first_step_margin=step[1],
+                    steps_reason=string(lib.stltsa_decomposition_steps_reason(self._handle, index)),
                 )
             )
         return self._rows(result)
@@ -248,6 +252,7 @@ class Decomposition(Described):
 
     def _parts(self, kind: int) -> tuple[Part, ...]:
         result, raw, travel = [], ffi.new("stltsa_part *"), ffi.new("stltsa_travel *")
+        sides = {lib.STLTSA_SIDE_LEFT: "left", lib.STLTSA_SIDE_RIGHT: "right"}
         for index in range(lib.stltsa_decomposition_part_count(self._handle, kind)):
             check(lib.stltsa_decomposition_part(self._handle, kind, index, raw))
             check(lib.stltsa_decomposition_travel(self._handle, kind, index, travel))
@@ -260,6 +265,9 @@ class Decomposition(Described):
                     begin_s=raw.begin_s,
                     end_s=raw.end_s,
                     side=raw.side,
+                    side_name=sides.get(
+                        lib.stltsa_decomposition_side(self._handle, raw.side), ""
+                    ),
                     likeness=raw.likeness,
                     confidence=raw.confidence,
                     way=travel.way,

@@ -2146,6 +2146,23 @@ extern "C" {
     ) -> *const ::std::os::raw::c_char;
 }
 extern "C" {
+    pub fn stltsa_decomposition_first_step(
+        decomposition: *const stltsa_decomposition,
+        segment: i64,
+        share: *mut f64,
+        margin: *mut f64,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_decomposition_steps_reason(
+        decomposition: *const stltsa_decomposition,
+        segment: i64,
+    ) -> *const ::std::os::raw::c_char;
+}
+extern "C" {
+    pub fn stltsa_decomposition_side(decomposition: *const stltsa_decomposition, side: i32) -> i32;
+}
+extern "C" {
     pub fn stltsa_decomposition_carrier_count(
         decomposition: *const stltsa_decomposition,
         segment: i64,

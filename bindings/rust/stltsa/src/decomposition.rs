@@ -14,6 +14,7 @@ use crate::handle::Owned;
 use crate::kinds::{Fact, Features, SegmentKind, UnitKind};
 use crate::options::Options;
 use crate::parts::{number, positive, Part, PartKind, Quantity, Segment, Statistics, Summary};
+use crate::sides::Side;
 
 /// Motion units and cycles of a clip, and the curve from which they were cut. Made by
 /// [`Clip::decompose`].
@@ -113,13 +114,21 @@ impl Decomposition {
 
     fn segment(&self, index: i64) -> Result<Segment> {
         let mut raw = std::mem::MaybeUninit::zeroed();
-        // SAFETY: a live handle; a struct of numbers, which the call fills.
-        let (raw, reason, carried_by) = unsafe {
+        let (mut share, mut margin) = (f64::NAN, f64::NAN);
+        // SAFETY: a live handle; structs of numbers and numbers, which the calls fill.
+        let (raw, reason, steps_reason, carried_by) = unsafe {
             check(sys::stltsa_decomposition_segment(self.raw(), index, raw.as_mut_ptr()))?;
+            check(sys::stltsa_decomposition_first_step(
+                self.raw(),
+                index,
+                &mut share,
+                &mut margin,
+            ))?;
             let carriers = sys::stltsa_decomposition_carrier_count(self.raw(), index);
             (
                 raw.assume_init(),
                 text(sys::stltsa_decomposition_segment_reason(self.raw(), index)),
+                text(sys::stltsa_decomposition_steps_reason(self.raw(), index)),
                 texts(carriers, |i| sys::stltsa_decomposition_carrier(self.raw(), index, i)),
             )
         };
@@ -140,6 +149,9 @@ impl Decomposition {
             open_end: raw.open_end == 1,
             carried_by,
             reason: Some(reason).filter(|reason| !reason.is_empty()),
+            first_step_share: number(share),
+            first_step_margin: number(margin),
+            steps_reason: Some(steps_reason).filter(|reason| !reason.is_empty()),
         })
     }
 
@@ -154,7 +166,9 @@ impl Decomposition {
                 let handle = self.raw();
                 check(sys::stltsa_decomposition_part(handle, kind, index, part.as_mut_ptr()))?;
                 check(sys::stltsa_decomposition_travel(handle, kind, index, travel.as_mut_ptr()))?;
-                Part::of(part.assume_init(), travel.assume_init())
+                let part = part.assume_init();
+                let side = sys::stltsa_decomposition_side(handle, part.side);
+                Part::of(part, Side::from_raw(side), travel.assume_init())
             }
         };
         (0..count).map(part).collect()

@@ -5,6 +5,7 @@ use stltsa_sys as sys;
 
 use crate::error::{count, Result};
 use crate::kinds::SegmentKind;
+use crate::sides::Side;
 
 /// A stretch of one behavior: half-open, in frames of the source and in seconds.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,6 +43,12 @@ pub struct Segment {
     pub carried_by: Vec<String>,
     /// Why there are no cycles, with the numbers.
     pub reason: Option<String>,
+    /// Share of a cycle that its first step takes; `None`: there are no steps.
+    pub first_step_share: Option<f64>,
+    /// The 95 % interval of that share reaches so far to each side.
+    pub first_step_margin: Option<f64>,
+    /// Why cycles have no steps.
+    pub steps_reason: Option<String>,
 }
 
 /// A cycle, a step or a repetition: half-open, in frames of the source and in seconds.
@@ -62,6 +69,8 @@ pub struct Part {
     pub end_s: f64,
     /// Which side of the body leads: 0 or 1, the same in all clips of a skeleton.
     pub side: Option<usize>,
+    /// That side, if the names of joints or points state it.
+    pub side_name: Option<Side>,
     /// To the mean cycle of its segment, or to the other repetitions, 0 to 1.
     pub likeness: Option<f64>,
     /// Share of such answers that are right, 0 to 1.
@@ -157,7 +166,11 @@ pub(crate) fn number(value: f64) -> Option<f64> {
 }
 
 impl Part {
-    pub(crate) fn of(raw: sys::stltsa_part, travel: sys::stltsa_travel) -> Result<Self> {
+    pub(crate) fn of(
+        raw: sys::stltsa_part,
+        side_name: Option<Side>,
+        travel: sys::stltsa_travel,
+    ) -> Result<Self> {
         Ok(Self {
             segment: count(raw.segment)?,
             cycle: usize::try_from(raw.parent).ok(),
@@ -166,6 +179,7 @@ impl Part {
             begin_s: raw.begin_s,
             end_s: raw.end_s,
             side: usize::try_from(raw.side).ok(),
+            side_name,
             likeness: number(raw.likeness),
             confidence: raw.confidence,
             travel: number(travel.way).map(|way| Travel {

@@ -28,7 +28,11 @@ impl Side {
     pub fn of_name(name: &str) -> Option<Self> {
         let name = CString::new(name).ok()?;
         // SAFETY: a text that lives during the call.
-        match unsafe { sys::stltsa_side_of_name(name.as_ptr()) } {
+        Self::from_raw(unsafe { sys::stltsa_side_of_name(name.as_ptr()) })
+    }
+
+    pub(crate) fn from_raw(side: i32) -> Option<Self> {
+        match side {
             sys::STLTSA_SIDE_LEFT => Some(Self::Left),
             sys::STLTSA_SIDE_RIGHT => Some(Self::Right),
             _ => None,
