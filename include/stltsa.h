@@ -393,8 +393,7 @@ enum {
     /* The period, if one was looked for. */
     STLTSA_INFO_PERIOD = 30,            /* real   period in seconds; 0: none, or the rate is
                                                   unknown: see PERIOD_ROWS */
-    STLTSA_INFO_LAG_QUALITY = 31,       /* real   1 - D(T) of the period; of decompositions, the
-                                                  match of the velocities one period apart; 1:
+    STLTSA_INFO_LAG_QUALITY = 31,       /* real   match of the velocities one period apart; 1:
                                                   perfect, 0: no period */
     STLTSA_INFO_PERIOD_MIN = 32,        /* real   shortest period looked for, in seconds; 0: no
                                                   search was made */

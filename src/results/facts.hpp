@@ -39,7 +39,7 @@ struct SampleFacts {
 /// unknown.
 struct PeriodFacts {
     double period = 0;      ///< 0: none found
-    double lag_quality = 0; ///< 1 - D(period); 0 without a period
+    double lag_quality = 0; ///< match of the velocities one period apart; 0 without a period
     double shortest = 0;    ///< of the search; 0: no search was made
     double longest = 0;
 };

@@ -34,9 +34,9 @@ class Segment(NamedTuple):
     `kind` is ``"cyclic"``, ``"repetitions"``, ``"action"`` or ``"rest"``. Segments of the same
     motion share a `label`, "A", "B", ... in order of appearance; that of a rest is empty. `number`
     is that of cycles or repetitions. `carried_by` names the joints, markers or columns that move
-    most. The first step of a cycle takes `first_step_share` of it, with a 95 % interval that reaches
-    `first_step_margin` to each side; `steps_reason` says why there are none. Numbers that do not
-    apply are NaN.
+    most. The first step of a cycle takes `first_step_share` of it; the 95 % interval of that reaches
+    `first_step_margin` to each side. `steps_reason` says why there are no steps. Numbers that do
+    not apply are NaN.
     """
 
     kind: str

@@ -263,8 +263,7 @@ kinds! {
         Exclusion = STLTSA_INFO_EXCLUSION,
         /// `real`: period in seconds; 0: none, or the rate is unknown: see PERIOD_ROWS.
         Period = STLTSA_INFO_PERIOD,
-        /// `real`: 1 - D(T) of the period; of decompositions, the match of the velocities one
-        /// period apart; 1: perfect, 0: no period.
+        /// `real`: match of the velocities one period apart; 1: perfect, 0: no period.
         LagQuality = STLTSA_INFO_LAG_QUALITY,
         /// `real`: shortest period looked for, in seconds; 0: no search was made.
         PeriodMin = STLTSA_INFO_PERIOD_MIN,
