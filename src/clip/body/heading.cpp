@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clip/body/heading.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
 #include "clip/body/skeleton.hpp"
 #include "clip/body/up_axis.hpp"
-#include <algorithm>
-#include <optional>
 
 namespace stltsa::clip {
 namespace {
@@ -32,11 +34,22 @@ bool is_inverted(const Clip& clip, std::size_t root, int up) {
     return sum < threshold * static_cast<double>(clip.frames());
 }
 
-bool is_constant(const Matrix& values, std::int64_t column) {
+/// A joint stands still if its channels change by no more than this: exporters round, and smooth.
+constexpr double least_degrees = 0.01;
+constexpr double least_share = 1e-4; // of the longest bone
+
+bool is_constant(const Matrix& values, std::int64_t column, double tolerance) {
     for (std::int64_t frame = 1; frame < values.rows(); ++frame)
-        if (values(frame, column) != values(0, column))
+        if (!(std::abs(values(frame, column) - values(0, column)) <= tolerance))
             return false;
     return true;
+}
+
+double longest_bone(const std::vector<Joint>& joints) {
+    double longest = 0;
+    for (const Joint& joint : joints)
+        longest = std::max(longest, norm(joint.offset));
+    return longest;
 }
 
 } // namespace
@@ -45,14 +58,16 @@ std::size_t body_root(const Clip& clip) {
     const std::vector<Joint>& joints = clip.skeleton->joints;
     std::int64_t column = 0;
     std::optional<std::size_t> moving;
+    const double shift = least_share * longest_bone(joints);
     for (std::size_t j = 0; j < joints.size(); ++j) {
         const auto children = std::count_if(joints.begin(), joints.end(), [j](const Joint& joint) {
             return joint.parent == static_cast<int>(j);
         });
         for (const Channel channel : joints[j].channels) {
-            if (is_constant(clip.values, column++))
+            const bool turns = is_rotation(channel);
+            if (is_constant(clip.values, column++, turns ? least_degrees : shift))
                 continue;
-            if (is_rotation(channel))
+            if (turns)
                 return j;
             if (!moving)
                 moving = j;

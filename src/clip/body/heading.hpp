@@ -9,8 +9,9 @@ namespace stltsa::clip {
 
 /// The joint that turns the body: from the root down to the first branch, the first joint that
 /// rotates, or, if none does, the first that moves, or else the root. It is not the root if an
-/// exporter has put constant or only translating joints above the body's own root. Joints before it
-/// are its ancestors, joints after it its descendants.
+/// exporter has put joints above the body's own root that only shift, or that stand still, within
+/// 0.01 degrees and 1e-4 of the longest bone. Joints before it are its ancestors, joints after it
+/// its descendants.
 std::size_t body_root(const Clip& clip);
 
 /// The yaw of the body root, frame by frame: the twist about the up axis in the swing-twist

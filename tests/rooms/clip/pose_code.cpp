@@ -126,6 +126,15 @@ Clip moving_below_constant_joints() {
     return moving(parse(text, Format::bvh), 50, 7);
 }
 
+void joints_that_hardly_turn_are_above_the_body(void**) {
+    for (const auto& [degrees, root] : {std::pair{1e-4, 2}, {0.1, 0}}) {
+        Clip clip = moving_below_constant_joints();
+        for (std::int64_t i = 0; i < clip.frames(); ++i)
+            clip.values(i, 4) += degrees * static_cast<double>(i % 7);
+        assert_int_equal(body_root(clip), root);
+    }
+}
+
 void constant_joints_above_the_body_stay(void**) {
     const Clip clip = moving_below_constant_joints();
     for (const Axis up : {Axis::x, Axis::y, Axis::z}) {
@@ -241,6 +250,7 @@ int main() {
         cmocka_unit_test(joints_with_few_axes_come_back),
         cmocka_unit_test(joints_that_move_come_back),
         cmocka_unit_test(constant_joints_above_the_body_stay),
+        cmocka_unit_test(joints_that_hardly_turn_are_above_the_body),
         cmocka_unit_test(poses_have_no_place_and_no_heading),
         cmocka_unit_test(vectors_are_continuous),
         cmocka_unit_test(the_zero_vector_is_the_mean_pose),
