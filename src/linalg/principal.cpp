@@ -20,6 +20,14 @@ std::vector<double> column_means(ConstMatrixView rows, const std::function<void(
     return means;
 }
 
+double total_variance(ConstMatrixView rows) {
+    const std::vector<double> means = column_means(rows);
+    double squares = 0;
+    for (std::int64_t i = 0; i < rows.rows; ++i)
+        squares += squared_distance(rows.row(i), means.data(), rows.cols);
+    return rows.rows > 0 ? squares / static_cast<double>(rows.rows) : 0;
+}
+
 void set_covariance(ConstMatrixView centered, double* matrix) {
     constexpr std::int64_t rows_at_once = 32;
     const std::int64_t p = centered.cols;

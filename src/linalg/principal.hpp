@@ -12,6 +12,9 @@ namespace stltsa {
 
 std::vector<double> column_means(ConstMatrixView rows, const std::function<void()>& poll = {});
 
+/// Mean squared distance of the rows from their mean.
+double total_variance(ConstMatrixView rows);
+
 /// Of centered rows: the lower triangle by columns.
 void set_covariance(ConstMatrixView centered, double* matrix);
 

@@ -7,6 +7,7 @@
 
 #include "base/progress.hpp"
 #include "linalg/gaussian.hpp"
+#include "linalg/principal.hpp"
 #include "linalg/simd.hpp"
 #include "motion/behaviors/grouping.hpp"
 
@@ -24,12 +25,11 @@ constexpr std::size_t most_behaviors = 64;
 constexpr double most_shift_s = 0.2;
 constexpr double near_s = 0.4;
 constexpr double far_s = 2.5;
-/// Placing each border: rate of the poses, their smoothing, the weight of velocities, the way to
+/// Placing each border: rate of the poses, their smoothing, the way to
 /// each side, the distance of examples from borders, most of them, and the squared distance, as a
 /// share of the total variance, beyond which a pose is not like an example.
 constexpr double poses_per_second = 15;
 constexpr double pose_smoothing_s = 0.1;
-constexpr double velocity_weight = 3;
 constexpr double window_s = 1.2;
 constexpr double away_s = 0.5;
 constexpr double skipped_s = 0.3;
@@ -187,18 +187,6 @@ struct Poses {
     double variance = 0; ///< total
 };
 
-double total_variance(const Matrix& x) {
-    double total = 0;
-    for (std::int64_t c = 0; c < x.cols(); ++c) {
-        double mean = 0;
-        for (std::int64_t i = 0; i < x.rows(); ++i)
-            mean += x(i, c) / static_cast<double>(x.rows());
-        for (std::int64_t i = 0; i < x.rows(); ++i)
-            total += (x(i, c) - mean) * (x(i, c) - mean) / static_cast<double>(x.rows());
-    }
-    return total;
-}
-
 Poses make_poses(const Signal& signal, const std::function<void()>& poll) {
     Poses poses;
     poses.step = std::max<std::int64_t>(1, std::lround(signal.rate / poses_per_second));
@@ -218,7 +206,7 @@ Poses make_poses(const Signal& signal, const std::function<void()>& poll) {
                                                   : 0;
         }
     }
-    poses.variance = total_variance(poses.rows);
+    poses.variance = total_variance(poses.rows.view());
     return poses;
 }
 

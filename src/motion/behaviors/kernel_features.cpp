@@ -7,6 +7,7 @@
 #include "base/progress.hpp"
 #include "linalg/eigen.hpp"
 #include "linalg/gaussian.hpp"
+#include "linalg/principal.hpp"
 #include "linalg/simd.hpp"
 #include "linalg/weighted_rows.hpp"
 #include "motion/curve/statistics.hpp"
@@ -15,8 +16,6 @@ namespace stltsa::motion {
 namespace {
 
 constexpr double moments_per_second = 10;
-/// Velocities per moment count so many times as poses.
-constexpr double velocity_weight = 3;
 constexpr double statistics_window_s = 0.45;
 /// Squared distance at which the kernel has fallen to 1/e: the median distance, but at least this
 /// share of the total variance. Without that limit, one long motion is cut at nothing.
@@ -26,26 +25,13 @@ constexpr std::int64_t distances_sampled = 400;
 constexpr std::int64_t most_landmarks = 120;
 constexpr double rounding = 1e-6;
 
-double total_variance(const Matrix& x) {
-    double total = 0;
-    for (std::int64_t c = 0; c < x.cols(); ++c) {
-        double mean = 0, squares = 0;
-        for (std::int64_t i = 0; i < x.rows(); ++i)
-            mean += x(i, c) / static_cast<double>(x.rows());
-        for (std::int64_t i = 0; i < x.rows(); ++i)
-            squares += (x(i, c) - mean) * (x(i, c) - mean);
-        total += squares / static_cast<double>(x.rows());
-    }
-    return total;
-}
-
 /// Poses in units of their mean deviation per column, and velocities.
 Matrix scaled_motion(const Signal& signal, std::int64_t step, double rate) {
     const std::int64_t n = (signal.rows() + step - 1) / step, p = signal.cols();
     Matrix x(n, 2 * p);
     for (std::int64_t i = 0; i < n; ++i)
         std::copy_n(signal.poses.row(i * step), p, x.row(i));
-    const double deviation = std::sqrt(total_variance(x) / static_cast<double>(p));
+    const double deviation = std::sqrt(total_variance(x.view()) / static_cast<double>(p));
     const double scale = deviation > 0 ? 1 / deviation : 0;
     for (std::int64_t i = 0; i < n; ++i)
         for (std::int64_t c = 0; c < p; ++c)
@@ -124,7 +110,7 @@ KernelFeatures::KernelFeatures(const Signal& signal, const std::function<void()>
     const Matrix x = scaled_motion(signal, step_, rate_);
     const Matrix statistics = windowed(x, statistics_window_s * rate_, poll);
     const double bandwidth =
-        std::max(median_distance(statistics), least_bandwidth * total_variance(x));
+        std::max(median_distance(statistics), least_bandwidth * total_variance(x.view()));
     const Matrix landmarks = spread_rows(statistics, most_landmarks);
     const Matrix map = nystroem_map(landmarks, bandwidth > 0 ? bandwidth : 1);
     sums_ = Matrix(x.rows() + 1, map.cols());

@@ -11,6 +11,9 @@
 
 namespace stltsa::motion {
 
+/// Velocities per tenth of a second count so many times as poses.
+inline constexpr double velocity_weight = 3;
+
 class KernelFeatures {
   public:
     /// `poll` is called every few milliseconds and may throw.

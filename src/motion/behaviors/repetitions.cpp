@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "linalg/principal.hpp"
 #include "linalg/simd.hpp"
 #include "motion/behaviors/grouping.hpp"
 #include "motion/behaviors/rests.hpp"
@@ -38,11 +39,7 @@ constexpr double most_length_ratio = 2;
 constexpr double unrelated = 9;
 
 std::vector<double> mean_pose(const Signal& signal, Rows rows) {
-    std::vector<double> mean(static_cast<std::size_t>(signal.cols()));
-    for (std::int64_t i = rows.begin; i < rows.end; ++i)
-        axpy(1 / static_cast<double>(rows.count()), signal.poses.row(i), mean.data(),
-             signal.cols());
-    return mean;
+    return column_means(signal.poses.view().block(rows.begin, rows.count()));
 }
 
 double distance(const std::vector<double>& a, const std::vector<double>& b) {
@@ -115,17 +112,6 @@ std::vector<bool> at_home(const Signal& signal, const std::vector<Rows>& rests, 
     return result;
 }
 
-/// Mean squared deviation of the poses from their mean.
-double variance(const Matrix& poses) {
-    std::vector<double> mean(static_cast<std::size_t>(poses.cols()));
-    for (std::int64_t i = 0; i < poses.rows(); ++i)
-        axpy(1 / static_cast<double>(poses.rows()), poses.row(i), mean.data(), poses.cols());
-    double total = 0;
-    for (std::int64_t i = 0; i < poses.rows(); ++i)
-        total += squared_distance(poses.row(i), mean.data(), poses.cols());
-    return total / static_cast<double>(poses.rows());
-}
-
 /// The least sum of squared distances along a path through both motions.
 double warped_distance(const Matrix& a, const Matrix& b) {
     constexpr double far = std::numeric_limits<double>::infinity();
@@ -152,7 +138,7 @@ Matrix shape(const Signal& signal, Rows rows) {
 }
 
 double unlikeness_of(const Matrix& a, const Matrix& b) {
-    const double moves = variance(a) + variance(b);
+    const double moves = total_variance(a.view()) + total_variance(b.view());
     return moves > 0 ? warped_distance(a, b) / moves : unrelated;
 }
 

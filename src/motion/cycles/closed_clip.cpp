@@ -9,7 +9,7 @@
 namespace stltsa::motion {
 namespace {
 
-constexpr std::int64_t min_rows = 12;
+constexpr std::int64_t min_loop_rows = 12;
 /// The last row is at most so far from where the first row goes on, as a share of a step from row
 /// to row there and of the clip's extent; and it moves there at this share of its usual speed.
 constexpr double max_apart = 0.8;
@@ -22,7 +22,7 @@ constexpr std::int64_t copies = 3;
 bool is_closed(const Signal& signal, const PeriodRange& periods) {
     const std::int64_t n = signal.rows();
     const double seconds = static_cast<double>(n) / signal.rate;
-    if (n < min_rows || seconds < periods.shortest_s || seconds > periods.longest_s)
+    if (n < min_loop_rows || seconds < periods.shortest_s || seconds > periods.longest_s)
         return false;
     double extent = 0;
     for (std::int64_t i = 0; i < n; ++i)

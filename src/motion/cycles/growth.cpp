@@ -39,9 +39,9 @@ class Grower {
     Grower(const Signal& signal, const Stretch& stretch, Rows within,
            const std::function<void()>& poll)
         : poll_(poll), typical_(median(stretch.period)) {
-        const auto beyond = static_cast<std::int64_t>(periods_beyond * typical_);
-        rows_ = {std::max(within.begin, stretch.rows.begin - beyond),
-                 std::min(within.end, stretch.rows.end + beyond)};
+        const auto more = static_cast<std::int64_t>(periods_beyond * typical_);
+        rows_ = {std::max(within.begin, stretch.rows.begin - more),
+                 std::min(within.end, stretch.rows.end + more)};
         const auto first = static_cast<std::ptrdiff_t>(stretch.rows.begin - rows_.begin);
         period_.assign(static_cast<std::size_t>(rows_.count()), stretch.period.back());
         std::fill_n(period_.begin(), first, stretch.period.front());

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "linalg/principal.hpp"
 #include "linalg/simd.hpp"
 #include "motion/curve/extrema.hpp"
 #include "motion/curve/smoothing.hpp"
@@ -109,10 +110,9 @@ struct Home {
 
 /// Squared distances of the mean cycle from standing in the mean pose of the rows, at equal phases.
 std::vector<double> distances_from(const Signal& signal, const Loop& loop, Rows rows) {
-    std::vector<double> standing(static_cast<std::size_t>(loop.cols())); // velocities are 0
-    for (std::int64_t i = rows.begin; i < rows.end; ++i)
-        axpy(1 / static_cast<double>(rows.count()), signal.poses.row(i), standing.data(),
-             signal.cols());
+    std::vector<double> standing =
+        column_means(signal.poses.view().block(rows.begin, rows.count()));
+    standing.resize(static_cast<std::size_t>(loop.cols())); // velocities are 0
     const Matrix cycle = loop.sampled(posture_phases);
     std::vector<double> distances;
     for (std::int64_t p = 0; p < posture_phases; ++p)

@@ -12,7 +12,7 @@ namespace stltsa::motion {
 namespace {
 
 /// Lags of the track are as far apart.
-constexpr double lag_step = 0.04;
+constexpr double track_step = 0.04;
 
 /// The lag in rows near that of the stretch at which its velocities match best.
 double best_lag(const Signal& signal, const Stretch& stretch) {
@@ -26,7 +26,7 @@ double best_lag(const Signal& signal, const Stretch& stretch) {
         return energy > 0 ? both / energy : 0;
     };
     const double tracked = median(stretch.period);
-    const std::int64_t reach = std::max<std::int64_t>(1, std::lround(lag_step * tracked));
+    const std::int64_t reach = std::max<std::int64_t>(1, std::lround(track_step * tracked));
     std::int64_t best = std::lround(tracked);
     for (std::int64_t lag = std::lround(tracked) - reach; lag <= std::lround(tracked) + reach;
          ++lag)
