@@ -265,9 +265,7 @@ class Decomposition(Described):
                     begin_s=raw.begin_s,
                     end_s=raw.end_s,
                     side=raw.side,
-                    side_name=sides.get(
-                        lib.stltsa_decomposition_side(self._handle, raw.side), ""
-                    ),
+                    side_name=sides.get(lib.stltsa_decomposition_side(self._handle, raw.side), ""),
                     likeness=raw.likeness,
                     confidence=raw.confidence,
                     way=travel.way,
