@@ -958,10 +958,11 @@ STLTSA_API stltsa_status stltsa_decomposition_segment(const stltsa_decomposition
 STLTSA_API const char *
 stltsa_decomposition_segment_reason(const stltsa_decomposition *decomposition,
                                     int64_t index) STLTSA_NOEXCEPT;
-/* How the cycles of a segment divide into steps: the first takes `share` of a cycle, from like
- * postures of one side to those of the other, exactly 0.5 unless its 95 % interval over the cycles,
- * `share` +- `margin`, excludes that. share NaN: no steps; margin NaN: fewer than three cycles.
- * share and margin may be NULL. */
+/* How the cycles of a segment divide into steps. The first step takes `share` of a cycle: it ends
+ * where the other side of the body does what the first did at the begin. `margin` is half the width
+ * of the 95 % interval of the estimated share over the cycles; `share` is exactly 0.5 if the
+ * estimate is within `margin`, or within 0.002, of 0.5. share is NaN without steps; margin is NaN
+ * without steps or with fewer than three cycles. share and margin may be NULL. */
 STLTSA_API stltsa_status
 stltsa_decomposition_first_step(const stltsa_decomposition *decomposition, int64_t segment,
                                 double *share, double *margin) STLTSA_NOEXCEPT;
@@ -970,8 +971,9 @@ stltsa_decomposition_first_step(const stltsa_decomposition *decomposition, int64
 STLTSA_API const char *
 stltsa_decomposition_steps_reason(const stltsa_decomposition *decomposition,
                                   int64_t segment) STLTSA_NOEXCEPT;
-/* STLTSA_SIDE_* of side 0 or 1 of the cycles and steps, if the names of joints or points state it;
- * axes are taken to be right-handed. */
+/* Which side of the body, STLTSA_SIDE_*, the number 0 or 1 in stltsa_part.side means;
+ * STLTSA_SIDE_NONE if the names of joints or points do not tell, and for any other number. Assumes
+ * right-handed axes. */
 STLTSA_API int32_t stltsa_decomposition_side(const stltsa_decomposition *decomposition,
                                              int32_t side) STLTSA_NOEXCEPT;
 /* Names of the joints, markers or columns that carry half of the motion of a segment, those that

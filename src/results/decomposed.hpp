@@ -59,7 +59,7 @@ struct Decomposed {
     std::shared_ptr<const FrameRows> rows;
     std::shared_ptr<PhaseOnce> phase = std::make_shared<PhaseOnce>();
 
-    /// The side that side 0 or 1 of cycles and steps is.
+    /// Whether side 0 or 1 of cycles and steps is left or right.
     Side named_side(std::int32_t side) const;
     Parts parts(std::int32_t kind) const; ///< STLTSA_PART_*; none of an unknown kind
 };

@@ -95,7 +95,7 @@ Matrix stacked(const std::vector<Matrix>& parts, std::int64_t rows) {
     return all;
 }
 
-/// LHEE is left beside RHEE.
+/// The side that a name states; LHEE is left only if RHEE exists, too.
 Side side_by_name(const std::vector<std::string>& names, const std::string& name) {
     if (const Side side = side_of_name(name); side != Side::neither)
         return side;

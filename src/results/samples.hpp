@@ -42,9 +42,9 @@ ClipSamples prepare_clips(Clips clips, clip::PrepareOptions options, const Progr
 std::vector<double> side_weights_of(const clip::Clip& clip, const SampleFacts& facts,
                                     ConstMatrixView samples);
 
-/// The side that side 1 of cycles and steps is, by the names of the weighted joints or points: the
-/// one that moves forward while the weighted sum of velocities is positive. Axes are right-handed.
-/// `owners`: of each column; three columns each.
+/// Whether side 1 of cycles and steps is left or right, judged by the names of the weighted joints
+/// or points: it moves forward while the weighted sum of velocities is positive. Assumes
+/// right-handed axes. `owners`: the joint or point of each column; each has three.
 Side side_one_of(const std::vector<std::string>& owners, const std::vector<double>& weights,
                  ConstMatrixView samples, clip::Axis up);
 

@@ -11,9 +11,9 @@ namespace stltsa::clip {
 /// Strays last less than this.
 constexpr double longest_stray_s = 0.1;
 
-/// A point that leaves its path and returns faster than a limb can, as keypoints do that are taken
-/// for others. Makes such values NaN. Frames of each point; empty: there are none, or fewer than
-/// three points. `width`: columns of a point.
+/// Sets to NaN the points that jump away and back faster than a limb can move, such as confused
+/// keypoints. Returns the number of such frames for each point; empty if there are fewer than three
+/// points, or if the frame rate or the size of the body is unknown. `width`: columns of a point.
 std::vector<std::int64_t> drop_strays(Matrix& rows, int width, double fps);
 
 } // namespace stltsa::clip

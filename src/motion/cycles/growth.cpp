@@ -215,7 +215,7 @@ class Grower {
                 off(i, c) = both_(run.begin + i, c) - off(i, c);
             polls.did(both_.cols() * mean_.loop.coefficients.rows());
         }
-        // Sway: what is off over the period around, or beside the row at an end.
+        // Sway: the mean deviation over the period around the row, or over the outermost one.
         const auto period =
             std::min<std::int64_t>(run.rows(), std::max<std::int64_t>(1, std::llround(typical_)));
         std::vector<double> squares, sway(static_cast<std::size_t>(off.cols()));

@@ -14,7 +14,7 @@
 namespace stltsa::motion {
 namespace {
 
-/// 1.2 periods, as a fit chooses (motion/choose_neighbors.cpp).
+/// 1.2 periods, as a fit chooses (motion/period/choose_neighbors.cpp).
 constexpr std::int64_t neighbors = 29;
 constexpr std::int64_t chunk = 12 * samples_per_period;
 constexpr std::int64_t overlap = samples_per_period;

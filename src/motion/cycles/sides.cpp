@@ -59,7 +59,7 @@ bool sides_alternate(const std::vector<double>& motion, std::span<const Interval
     return energy > least_share * least_share * count && both < alternating * energy;
 }
 
-/// The share of the cycles after which the swing is the opposite of what it is around their begins.
+/// The share of a cycle after which the swing is the mirror image of that around its begin.
 double first_half(const std::vector<double>& swing, double bent, std::span<const Interval> cycles) {
     constexpr int places = 15, steps = 30;
     const double last = static_cast<double>(swing.size() - 1) - bent;
@@ -87,7 +87,7 @@ double first_half(const std::vector<double>& swing, double bent, std::span<const
     return 0.5 + max_off_middle * step / steps;
 }
 
-/// Half of the 95 % interval of the mean.
+/// Half the width of the 95 % confidence interval of the mean.
 double margin_of(const std::vector<double>& values) {
     const auto count = static_cast<double>(values.size());
     double mean = 0, squares = 0;
@@ -135,7 +135,7 @@ Halves halves_of(const Signal& signal, std::span<const Interval> cycles) {
                 "points with names such as LHEE and RHEE"};
     if (!sides_alternate(signal.side, cycles))
         return {unknown, unknown, "the two sides of the body do not swing in turn"};
-    std::vector<double> swing; // as fast as it is: the usual speed may change within a cycle
+    std::vector<double> swing; // absolute: the usual speed may change within a cycle
     for (std::size_t i = 0; i < signal.side.size(); ++i)
         swing.push_back(signal.side[i] * signal.usual[i]);
     const double bent = 1 + bent_s * signal.rate;

@@ -24,7 +24,7 @@ int leading_side(const std::vector<double>& motion, std::span<const double> bord
 /// How cycles divide into steps.
 struct Halves {
     double first = unknown;  ///< share of a cycle that the first step takes; NaN: there are none
-    double margin = unknown; ///< its 95 % interval is that far to each side; NaN: too few cycles
+    double margin = unknown; ///< half the width of its 95 % interval; NaN: too few cycles
     std::string reason;      ///< why there are no steps
 };
 

@@ -34,9 +34,10 @@ constexpr double golden_angle = 2.399963229728653;
 constexpr double posture_s = 0.3;
 /// A stretch that is longer than this share of its part is the only one.
 constexpr double most_of_part = 0.7;
-/// Cycles of one motion: their lengths differ by less than this ratio, and their mean cycles by
-/// less than so many deviations, or so much of how far they move. Twice the last gives the same;
-/// without deviations, 13_30 loses a behavior (measure/recordings).
+/// Two stretches may be one motion if the ratio of their periods is at most this, and if their mean
+/// cycles differ by less than so many standard deviations, or by less than so much of their mean
+/// variance. Twice least_difference changes no result; without most_deviations, the recording 13_30
+/// loses a behavior (measure/recordings).
 constexpr double most_length_ratio = 1.2;
 constexpr double most_deviations = 3;
 constexpr double least_difference = 0.15;

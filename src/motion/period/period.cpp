@@ -14,7 +14,8 @@ namespace {
 /// Lags of the track are as far apart.
 constexpr double track_step = 0.04;
 
-/// The lag in rows near that of the stretch at which its velocities match best.
+/// The lag in rows, within track_step of the median period of the stretch, at which its velocities
+/// match best.
 double best_lag(const Signal& signal, const Stretch& stretch) {
     const auto match = [&](std::int64_t lag) {
         double both = 0, energy = 0;

@@ -10,11 +10,12 @@ namespace stltsa::motion {
 
 struct Period {
     double samples = 0; ///< 0: none found
-    double quality = 0; ///< match of the velocities one period apart, at most 1; 0 without a period
+    double quality = 0; ///< median match along the stretch, at most 1; 0 without a period
 };
 
-/// The median period of the stretch that repeats longest and best. Reports progress as the first
-/// half of the stage "neighbors".
+/// The lag, near the median period of the best stretch, at which the velocities match best. The
+/// best stretch has the largest product of length and match. Reports progress as the first half of
+/// the stage "neighbors".
 Period find_period(ConstMatrixView samples, double fps, const PeriodRange& range,
                    const Progress& progress = {});
 

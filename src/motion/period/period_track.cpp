@@ -199,8 +199,9 @@ Octave octave(const LagMap& map, double shortest, std::int64_t first,
     return found;
 }
 
-/// The multiple of the tracked lags that is the period: 1, or more if the turns are like each other
-/// only, as those of a spiral are: less and less with each turn, and then again.
+/// The multiple of the tracked lags that is the period: 1, or more if turns resemble only their
+/// neighbors, as in a spiral: the match falls over the next multiples, and rises by clear_rise at
+/// the period of the whole.
 double multiple(const LagMap& map, std::int64_t first, const std::vector<double>& lags) {
     const double once = usual_match(map, first, lags, 1);
     const double rows = static_cast<double>(std::ssize(lags) * map.hop);
