@@ -145,10 +145,22 @@ std::vector<double> side_weights_of(const clip::Clip& clip, const SampleFacts& f
     return clip::side_weights(clip, facts.features, facts.up, samples);
 }
 
-Side side_one_of(const std::vector<std::string>& owners, const std::vector<double>& weights,
-                 ConstMatrixView samples, clip::Axis up) {
+std::vector<double> one_side_of(const std::vector<double>& weights) {
+    std::vector<double> result(weights.size());
+    const double* direction = nullptr;
+    for (std::size_t c = 0; c + 2 < weights.size(); c += 3) {
+        if (direction == nullptr && dot(&weights[c], &weights[c], 3) > 0)
+            direction = &weights[c];
+        if (direction != nullptr && dot(&weights[c], direction, 3) > 0)
+            std::copy_n(&weights[c], 3, &result[c]);
+    }
+    return result;
+}
+
+NamedSides named_sides(const std::vector<std::string>& owners, const std::vector<double>& weights,
+                       ConstMatrixView samples, clip::Axis up) {
     if (weights.empty() || up == clip::Axis::none)
-        return Side::neither;
+        return {};
     const auto above = static_cast<std::size_t>(up) - 1;
     const std::vector<double> means = column_means(samples);
     const double* direction = nullptr;
@@ -164,11 +176,11 @@ Side side_one_of(const std::vector<std::string>& owners, const std::vector<doubl
         axpy(named == Side::left ? 1 : -1, &means[c], left, 3);
     }
     if (lefts == 0)
-        return Side::neither;
+        return {};
     // Forward is left x up.
     const std::size_t first = (above + 1) % 3, second = (above + 2) % 3;
     const double forward = direction[first] * left[second] - direction[second] * left[first];
-    return (forward > 0) == (lefts > 0) ? Side::left : Side::right;
+    return {(forward > 0) == (lefts > 0) ? Side::left : Side::right, forward > 0};
 }
 
 Source matrix_source(ConstMatrixView frames, double fps) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -42,11 +43,20 @@ ClipSamples prepare_clips(Clips clips, clip::PrepareOptions options, const Progr
 std::vector<double> side_weights_of(const clip::Clip& clip, const SampleFacts& facts,
                                     ConstMatrixView samples);
 
-/// Whether side 1 of cycles and steps is left or right, judged by the names of the weighted joints
-/// or points: it moves forward while the weighted sum of velocities is positive. Assumes
-/// right-handed axes. `owners`: the joint or point of each column; each has three.
-Side side_one_of(const std::vector<std::string>& owners, const std::vector<double>& weights,
-                 ConstMatrixView samples, clip::Axis up);
+/// The weights of the columns of one of the two sides, 0 for the others; three columns each.
+std::vector<double> one_side_of(const std::vector<double>& weights);
+
+/// What the names of the weighted joints or points say.
+struct NamedSides {
+    Side one = Side::neither; ///< side 1 of cycles and steps: it moves forward while the weighted
+                              ///< sum of velocities is positive
+    /// Whether the points of one_side_of() are that side.
+    std::optional<bool> forward;
+};
+
+/// Assumes right-handed axes. `owners`: the joint or point of each column; each has three.
+NamedSides named_sides(const std::vector<std::string>& owners, const std::vector<double>& weights,
+                       ConstMatrixView samples, clip::Axis up);
 
 /// The source of a matrix, which has no clips. fps 0: unknown.
 Source matrix_source(ConstMatrixView frames, double fps);

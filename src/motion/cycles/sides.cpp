@@ -59,10 +59,29 @@ bool sides_alternate(const std::vector<double>& motion, std::span<const Interval
     return energy > least_share * least_share * count && both < alternating * energy;
 }
 
-/// The share of a cycle after which the swing is the mirror image of that around its begin.
-double first_half(const std::vector<double>& swing, double bent, std::span<const Interval> cycles) {
+/// How each of two sides moves: the one that comes forward where cycles begin, and the other.
+struct Swing {
+    std::vector<double> first, second;
+};
+
+Swing swing_of(const Signal& signal, std::span<const Interval> cycles) {
+    Swing swing; // absolute: the usual speed may change within a cycle
+    for (std::size_t i = 0; i < signal.side.size(); ++i) {
+        swing.first.push_back(signal.one_side[i] * signal.usual[i]);
+        swing.second.push_back((signal.one_side[i] - signal.side[i]) * signal.usual[i]);
+    }
+    std::vector<double> begins;
+    for (const Interval& cycle : cycles)
+        begins.push_back(cycle.begin);
+    if ((leading_side(signal.side, begins) == 1) != *signal.forward)
+        swing.first.swap(swing.second);
+    return swing;
+}
+
+/// The share of a cycle after which the second side moves as the first does around its begin.
+double first_half(const Swing& swing, double bent, std::span<const Interval> cycles) {
     constexpr int places = 15, steps = 30;
-    const double last = static_cast<double>(swing.size() - 1) - bent;
+    const double last = static_cast<double>(swing.first.size() - 1) - bent;
     const auto likeness = [&](int step) { // negative mean squared difference of both halves
         const double half = 0.5 + max_off_middle * step / steps;
         double sum = 0, count = 0;
@@ -72,8 +91,8 @@ double first_half(const std::vector<double>& swing, double bent, std::span<const
                 const double second = first + half * cycle.length();
                 if (first < bent || second > last)
                     continue;
-                const double both = at(swing, first) + at(swing, second);
-                sum += both * both;
+                const double off = at(swing.first, first) - at(swing.second, second);
+                sum += off * off;
                 ++count;
             }
         return count > 0 ? -sum / count : 0;
@@ -101,12 +120,10 @@ double margin_of(const std::vector<double>& values) {
 } // namespace
 
 std::vector<double> side_motion(const Signal& signal, ConstMatrixView samples,
-                                const std::vector<double>& side) {
+                                const std::vector<double>& side, double length) {
     Matrix swing(signal.rows(), 1);
     for (std::int64_t i = 0; i < signal.rows(); ++i)
         swing(i, 0) = dot(samples.row(i * signal.step), side.data(), samples.cols);
-    const double length =
-        std::sqrt(dot(side.data(), side.data(), static_cast<std::int64_t>(side.size())));
     const Matrix smooth =
         gaussian_smoothed(swing.view(), smoothing_s * signal.rate, Beyond::reflection);
     std::vector<double> motion;
@@ -135,12 +152,10 @@ Halves halves_of(const Signal& signal, std::span<const Interval> cycles) {
                 "points with names such as LHEE and RHEE"};
     if (!sides_alternate(signal.side, cycles))
         return {unknown, unknown, "the two sides of the body do not swing in turn"};
-    std::vector<double> swing; // absolute: the usual speed may change within a cycle
-    for (std::size_t i = 0; i < signal.side.size(); ++i)
-        swing.push_back(signal.side[i] * signal.usual[i]);
     const double bent = 1 + bent_s * signal.rate;
-    if (cycles.size() < min_cycles)
+    if (cycles.size() < min_cycles || !signal.forward)
         return {0.5, unknown, {}};
+    const Swing swing = swing_of(signal, cycles);
     std::vector<double> each;
     for (std::size_t i = 0; i < cycles.size(); ++i)
         each.push_back(first_half(swing, bent, cycles.subspan(i, 1)));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "linalg/simd.hpp"
 #include "ltsa/frames.hpp"
 #include "motion/behaviors/change_points.hpp"
 #include "motion/behaviors/repetitions.hpp"
@@ -78,7 +79,11 @@ Recording analyze(ConstMatrixView samples, double fps, const Options& options,
     const double seconds = static_cast<double>(samples.rows) / fps;
     Signal signal = make_signal(samples, fps, options.smoothed_s, options.size, progress);
     if (!options.side.empty()) {
-        signal.side = side_motion(signal, samples, options.side);
+        const double length =
+            std::sqrt(dot(options.side.data(), options.side.data(), samples.cols));
+        signal.side = side_motion(signal, samples, options.side, length);
+        signal.one_side = side_motion(signal, samples, options.one_side, length);
+        signal.forward = options.forward;
         signal.begin_with_side = options.begin_with_side;
     }
     const std::vector<Rows> holes = rows_of(options.holes, signal);

@@ -145,6 +145,9 @@ void cycles_begin_on_one_side(void**) {
     signal.usual.assign(motion.size(), 1);
     assert_false(halves_of(signal, cycles).reason.empty());
     signal.side = motion;
+    signal.forward = true;
+    for (const double each : motion) // each side does half of it
+        signal.one_side.push_back(each / 2);
     assert_true(halves_of(signal, cycles).reason.empty());
     ASSERT_NEAR(halves_of(signal, cycles).first, 0.5, 0);
     assert_true(std::isnan(halves_of(signal, std::span(cycles).first(2)).margin));
@@ -159,16 +162,20 @@ void cycles_begin_on_one_side(void**) {
     assert_false(halves_of(signal, cycles).reason.empty());
 }
 
-/// The second step is longer than the first in each cycle.
+/// The first step is longer than the second in each cycle.
 void unequal_steps_are_unequal(void**) {
     Signal signal;
     signal.rate = 30;
+    signal.forward = true;
     const auto swing = [](double phase) {
         const double off = (phase - std::round(phase)) / 0.1;
         return std::exp(-off * off / 2);
     };
-    for (int i = 0; i < 200; ++i)
-        signal.side.push_back(swing((i - 20) / 40.0) - swing((i - 20) / 40.0 - 0.55));
+    for (int i = 0; i < 200; ++i) {
+        const double phase = (i - 20) / 40.0;
+        signal.one_side.push_back(swing(phase));
+        signal.side.push_back(swing(phase) - swing(phase - 0.55));
+    }
     signal.usual.assign(200, 1);
     const std::vector<Interval> cycles{{20, 60}, {60, 100}, {100, 140}};
     const Halves halves = halves_of(signal, cycles);

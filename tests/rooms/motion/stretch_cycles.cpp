@@ -90,6 +90,10 @@ Repeated repeated(const Action& action, int count, double pause) {
 Recording of_body(stltsa::ConstMatrixView samples, std::vector<double> side = {}) {
     Options options;
     options.size = 2;
+    options.one_side = side;
+    for (double& weight : options.one_side)
+        weight = std::max(0.0, weight);
+    options.forward = true;
     options.side = std::move(side);
     return analyze(samples, rate, options, Progress());
 }
