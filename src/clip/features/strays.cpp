@@ -7,7 +7,6 @@
 #include <span>
 
 #include "clip/clip.hpp"
-#include "clip/features/point_names.hpp"
 #include "linalg/simd.hpp"
 
 namespace stltsa::clip {
@@ -19,6 +18,14 @@ namespace {
 constexpr double least_away = 0.1;
 constexpr double most_acceleration = 1000;
 constexpr std::int64_t frames_measured = 100;
+/// The size of fewer points, such as those of a hand or a stick, is not that of a body.
+constexpr std::int64_t min_points = 8;
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+double square(double x) {
+    return x * x;
+}
 
 /// The points of one clip.
 class Paths {
@@ -38,7 +45,7 @@ class Paths {
             if (const std::int64_t end = last == i - 1 && i > 0 ? end_of_strays(i, point) : i;
                 end > i) {
                 for (; i < end; ++i, ++dropped)
-                    std::fill_n(at(i, point), width_, std::numeric_limits<double>::quiet_NaN());
+                    std::fill_n(at(i, point), width_, none);
             }
             last = i;
         }
@@ -67,7 +74,7 @@ class Paths {
             }
             for (const double each : sum)
                 squares -= each * each / points;
-            if (points >= static_cast<double>(least_points) && squares > 0)
+            if (points >= static_cast<double>(min_points) && squares > 0)
                 sizes.push_back(std::sqrt(squares / points));
         }
         if (sizes.empty())
@@ -93,24 +100,45 @@ class Paths {
                          std::sqrt(squared_distance(at(before, point), at(end, point), width_)));
             bool all = true;
             for (std::int64_t i = first; i < end && all; ++i)
-                all = distance_from_line(before, i, end, point) > away;
+                all = is_off({before, i, end}, point, away);
             if (all)
                 return end;
         }
         return first;
     }
 
-    double distance_from_line(std::int64_t before, std::int64_t frame, std::int64_t end,
-                              std::int64_t point) {
-        const double share =
-            static_cast<double>(frame - before) / static_cast<double>(end - before);
-        const double *a = at(before, point), *b = at(end, point), *x = at(frame, point);
-        double squares = 0;
+    /// A frame between two others.
+    struct Between {
+        std::int64_t before, frame, end;
+    };
+
+    /// One coordinate of the way from the straight line between the frames beside it.
+    double off_line(const Between& frames, std::int64_t point, int c) {
+        const double share = static_cast<double>(frames.frame - frames.before) /
+                             static_cast<double>(frames.end - frames.before);
+        return at(frames.frame, point)[c] - (1 - share) * at(frames.before, point)[c] -
+               share * at(frames.end, point)[c];
+    }
+
+    /// Whether the point is so far off the line, also if what the others are off is subtracted:
+    /// the whole body may move.
+    bool is_off(const Between& frames, std::int64_t point, double away) {
+        double own = 0, alone = 0;
+        for (int c = 0; c < width_; ++c)
+            own += square(off_line(frames, point, c));
+        if (!(own > square(away)))
+            return false;
         for (int c = 0; c < width_; ++c) {
-            const double off = x[c] - (1 - share) * a[c] - share * b[c];
-            squares += off * off;
+            double others = 0, known = 0;
+            for (std::int64_t p = 0; p < count(); ++p)
+                if (const double other = p == point ? none : off_line(frames, p, c);
+                    std::isfinite(other)) {
+                    others += other;
+                    ++known;
+                }
+            alone += square(off_line(frames, point, c) - others / std::max(1.0, known));
         }
-        return std::sqrt(squares);
+        return alone > square(away);
     }
 
     Matrix& rows_;
@@ -122,7 +150,7 @@ class Paths {
 } // namespace
 
 std::vector<std::int64_t> drop_strays(Matrix& rows, int width, double fps) {
-    if (rows.cols() / width < least_points || !(fps > 0))
+    if (rows.cols() / width < min_points || !(fps > 0))
         return {};
     Paths paths(rows, width, fps);
     std::vector<std::int64_t> frames;
