@@ -310,6 +310,22 @@ std::string decide(const StillRows& still, double rate, CyclicStretch& cut) {
     return {};
 }
 
+/// Lengths of cycles that may be of one motion.
+bool near(double a, double b) {
+    const auto [less, more] = std::minmax(a, b);
+    return more <= most_length_ratio * less;
+}
+
+bool alike(const Growth& a, const Growth& b) {
+    const Loop &first = a.mean.loop, &second = b.mean.loop;
+    const double one = first.variance(), other = second.variance();
+    const double apart =
+        one + other - 2 * offset_between(first, second).likeness * std::sqrt(one * other);
+    const double deviation = one * mean_of(a.deviation) + other * mean_of(b.deviation);
+    return apart < most_deviations * most_deviations * deviation / 2 ||
+           apart < least_difference * (one + other) / 2;
+}
+
 } // namespace
 
 std::vector<Interval> CyclicStretch::cycles() const {
@@ -327,17 +343,14 @@ double CyclicStretch::period() const {
 }
 
 bool may_be_one(const CyclicStretch& a, const CyclicStretch& b) {
-    const auto [less, more] = std::minmax(a.period(), b.period());
-    if (more > most_length_ratio * less)
-        return false;
-    const Loop &first = a.growth.mean.loop, &second = b.growth.mean.loop;
-    const double one = first.variance(), other = second.variance();
-    const double apart =
-        one + other - 2 * offset_between(first, second).likeness * std::sqrt(one * other);
-    const double deviation =
-        one * mean_of(a.growth.deviation) + other * mean_of(b.growth.deviation);
-    return apart < most_deviations * most_deviations * deviation / 2 ||
-           apart < least_difference * (one + other) / 2;
+    return near(a.period(), b.period()) && alike(a.growth, b.growth);
+}
+
+bool may_follow(const CyclicStretch& before, const CyclicStretch& after) {
+    const std::vector<double>& last = before.borders;
+    const std::vector<double>& first = after.borders;
+    return near(last.back() - last[last.size() - 2], first[1] - first[0]) &&
+           alike(before.growth, after.growth);
 }
 
 CyclicStretch cut_stretch(const Signal& signal, const Stretch& stretch, Rows part, Rows within,

@@ -84,7 +84,7 @@ void append_cyclic(const Signal& signal, const Part& part, const std::vector<Row
             const double gap = cut.borders.front() - before.stretches.back().borders.back();
             if (gap < most_gap_periods * cut.period() &&
                 !rest_between(rests, before.stretches.back().borders.back(), cut.borders.front()) &&
-                may_be_one(before.stretches.back(), cut)) {
+                may_follow(before.stretches.back(), cut)) {
                 before.stretches.push_back(cut);
                 before.end = end_of(cut, rests, next, signal.rate);
                 limit = before.end;

@@ -186,7 +186,7 @@ class Joiner {
             const CyclicStretch* before = last_claimed(parts_[i - 1]);
             const CyclicStretch* after = first_claimed(parts_[i]);
             const bool both = before != nullptr && after != nullptr;
-            if (!both || may_be_one(*before, *after))
+            if (!both || may_follow(*before, *after))
                 found.emplace_back(like + (both ? 1 : 0), b.begin);
         }
         std::ranges::stable_sort(found, std::greater<>(), &std::pair<double, std::int64_t>::first);
