@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "base/numbers.hpp"
-
 #include "motion/curve/statistics.hpp"
 
 namespace stltsa::phase {
@@ -31,7 +30,7 @@ std::vector<double> differences_of(const Quantity& first, const Quantity& second
 }
 
 Spread spread_of(const std::vector<double>& deviations, double persistence) {
-    return {deviation_of(deviations), count_of(deviations), persistence};
+    return {motion::standard_deviation(deviations), count_of(deviations), persistence};
 }
 
 Uncertainty uncertainty_of(const Quantity& first, const Quantity& second,
@@ -70,17 +69,6 @@ std::vector<double> centered(std::vector<double> values) {
 }
 
 } // namespace
-
-double deviation_of(const std::vector<double>& deviations) {
-    if (deviations.size() < 2)
-        return none;
-    double mean = 0, squares = 0;
-    for (const double each : deviations)
-        mean += each / count_of(deviations);
-    for (const double each : deviations)
-        squares += square(each - mean);
-    return std::sqrt(squares / (count_of(deviations) - 1));
-}
 
 void Persistence::add(std::vector<double> deviations) {
     cycles_ = deviations.size();
@@ -151,9 +139,9 @@ Uncertainty uncertainty(const Spread& differences) {
 Estimate estimate(const Quantity& first, const Quantity& second, const Dependence& dependence) {
     Estimate result;
     result.first = first.value;
-    result.first_sd = deviation_of(first.deviations);
+    result.first_sd = motion::standard_deviation(first.deviations);
     result.second = second.value;
-    result.second_sd = deviation_of(second.deviations);
+    result.second_sd = motion::standard_deviation(second.deviations);
     result.difference = second.value - first.value;
     const Uncertainty error = uncertainty_of(first, second, dependence);
     result.error = error.standard;

@@ -61,9 +61,6 @@ Dependence dependence_of(const Quantity& first, const Quantity& second, bool pai
 
 Estimate estimate(const Quantity& first, const Quantity& second, const Dependence& dependence);
 
-/// Standard deviation; NaN for a single value.
-double deviation_of(const std::vector<double>& deviations);
-
 /// The standard error of a difference of means, and half the width of its 95 % interval.
 struct Uncertainty {
     double standard = 0, margin = 0;

@@ -6,6 +6,7 @@
 
 #include "base/numbers.hpp"
 #include "motion/curve/statistics.hpp"
+#include "motion/cycles/sides.hpp"
 
 namespace stltsa::phase {
 namespace {
@@ -56,13 +57,6 @@ void align(ConstMatrixView rows, double period, const std::function<void()>& pol
     }
 }
 
-/// Weight of a column of a body without known sides: any weights do that are the same in every
-/// recording and do not cancel. By the golden angle no few columns have like weights.
-double fixed_weight(std::size_t column) {
-    constexpr double golden_angle = 2.399963229728653;
-    return std::cos(golden_angle * static_cast<double>(column));
-}
-
 /// First harmonic of a weighted sum of the poses over the mean cycle.
 struct Wave {
     double peak = 0;  ///< its phase, in turns
@@ -93,7 +87,7 @@ double body_zero(const Loop& loop, std::span<const double> side) {
         if (const Wave sides = wave_of(loop, [&](std::size_t c) { return side[c]; });
             sides.share > least_swing)
             return sides.peak + 0.25;
-    return wave_of(loop, fixed_weight).peak;
+    return wave_of(loop, motion::fixed_weight).peak;
 }
 
 void shift_zero(double zero, Phases& phases) {

@@ -328,20 +328,19 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
     options.smoothed_s = samples.smoothing;
     options.size = body_size(samples.features, prepared.samples);
     options.holes = holes_of(prepared);
-    options.side = side_weights_of(clip, samples, prepared.samples.view());
-    options.one_side = one_side_of(options.side);
-    const NamedSides named = named_sides(clip::column_owners(clip, samples.features), options.side,
-                                         prepared.samples.view(), samples.up);
-    options.forward = named.forward;
+    BodySides sides = body_sides(clip, samples, prepared.samples.view());
+    options.side = sides.weights;
+    options.one_side = std::move(sides.one);
+    options.forward = sides.forward;
     options.begin_with_side = samples.features != clip::Features::points;
     motion::Recording found = motion::analyze(prepared.samples.view(), fps, options, progress);
     Decomposed made;
     made.source = std::move(prepared.source);
     made.source.period = {found.curve.period / fps, found.curve.lag_quality,
-                          options.shortest_period, options.longest_period};
-    made.side_one = named.one;
+                          options.periods.shortest_s, options.periods.longest_s};
+    made.side_one = sides.name;
     made.rows =
-        frame_rows(clip, made.source, std::move(options.side), std::move(drifting), prepared);
+        frame_rows(clip, made.source, std::move(sides.weights), std::move(drifting), prepared);
     const SourceFrames frames(made.source);
     const std::vector<std::string>& owners = made.rows->owners;
     for (const motion::Segment& segment : found.segments) {

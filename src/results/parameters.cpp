@@ -8,8 +8,7 @@
 namespace stltsa::results {
 namespace {
 
-constexpr double shortest_s = 0.3;
-constexpr double longest_s = 6;
+constexpr motion::PeriodRange usual;
 
 /// In frames, if the rate is unknown. Fewer than 4 frames show no course of a cycle; the cost grows
 /// with the longest lag.
@@ -48,8 +47,8 @@ std::int64_t distinct_in_reach(ConstMatrixView samples, std::span<const std::int
 PeriodRange range_of(const PeriodSearch& search, double fps, std::int64_t frames) {
     const bool known = fps > 0;
     const auto half = static_cast<double>(std::min(frames / 2, longest_frames));
-    const double shortest = known ? shortest_s : shortest_frames;
-    const double longest = known ? longest_s : std::max(half, shortest_frames);
+    const double shortest = known ? usual.shortest_s : shortest_frames;
+    const double longest = known ? usual.longest_s : std::max(half, shortest_frames);
     // A default yields to the other end of the range that the caller gave.
     const PeriodRange range = {
         search.shortest.value_or(std::min(shortest, search.longest.value_or(shortest))),

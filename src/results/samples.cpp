@@ -138,49 +138,44 @@ ClipSamples prepare_clips(Clips clips, clip::PrepareOptions options, const Progr
     return all;
 }
 
-std::vector<double> side_weights_of(const clip::Clip& clip, const SampleFacts& facts,
-                                    ConstMatrixView samples) {
-    if (facts.features == clip::Features::points)
-        return clip::point_side_weights(clip, facts.up, samples);
-    return clip::side_weights(clip, facts.features, facts.up, samples);
-}
-
-std::vector<double> one_side_of(const std::vector<double>& weights) {
-    std::vector<double> result(weights.size());
-    const double* direction = nullptr;
-    for (std::size_t c = 0; c + 2 < weights.size(); c += 3) {
-        if (direction == nullptr && dot(&weights[c], &weights[c], 3) > 0)
-            direction = &weights[c];
-        if (direction != nullptr && dot(&weights[c], direction, 3) > 0)
-            std::copy_n(&weights[c], 3, &result[c]);
-    }
-    return result;
-}
-
-NamedSides named_sides(const std::vector<std::string>& owners, const std::vector<double>& weights,
-                       ConstMatrixView samples, clip::Axis up) {
-    if (weights.empty() || up == clip::Axis::none)
-        return {};
-    const auto above = static_cast<std::size_t>(up) - 1;
+BodySides body_sides(const clip::Clip& clip, const SampleFacts& facts, ConstMatrixView samples) {
+    BodySides sides;
+    sides.weights = facts.features == clip::Features::points
+                        ? clip::point_side_weights(clip, facts.up, samples)
+                        : clip::side_weights(clip, facts.features, facts.up, samples);
+    if (sides.weights.empty())
+        return sides;
+    const std::vector<std::string> owners = clip::column_owners(clip, facts.features);
     const std::vector<double> means = column_means(samples);
-    const double* direction = nullptr;
-    int lefts = 0;       // less rights, of the points whose weights have this direction
-    double left[3] = {}; // from the right side to the left one
-    for (std::size_t c = 0; c + 2 < weights.size(); c += 3) {
-        const double* weight = &weights[c];
-        const Side named = side_by_name(owners, owners[c]);
-        if (dot(weight, weight, 3) == 0 || named == Side::neither)
+    sides.one.resize(sides.weights.size());
+    const double* direction = nullptr; // the weights of one side
+    int lefts = 0;                     // names that say that this side is left, less the others
+    double places[2][3] = {}, counts[2] = {}; // sums of the named points on the left and the right
+    for (std::size_t c = 0; c + 2 < sides.weights.size(); c += 3) {
+        const double* weight = &sides.weights[c];
+        if (dot(weight, weight, 3) == 0)
             continue;
         direction = direction == nullptr ? weight : direction;
-        lefts += (named == Side::left) == (dot(weight, direction, 3) > 0) ? 1 : -1;
-        axpy(named == Side::left ? 1 : -1, &means[c], left, 3);
+        const bool of_one = dot(weight, direction, 3) > 0;
+        if (of_one)
+            std::copy_n(weight, 3, &sides.one[c]);
+        const Side named = side_by_name(owners, owners[c]);
+        if (named == Side::neither)
+            continue;
+        lefts += (named == Side::left) == of_one ? 1 : -1;
+        axpy(1, &means[c], places[named == Side::left ? 0 : 1], 3);
+        ++counts[named == Side::left ? 0 : 1];
     }
-    if (lefts == 0)
-        return {};
+    if (lefts == 0 || counts[0] == 0 || counts[1] == 0)
+        return sides;
     // Forward is left x up.
-    const std::size_t first = (above + 1) % 3, second = (above + 2) % 3;
-    const double forward = direction[first] * left[second] - direction[second] * left[first];
-    return {(forward > 0) == (lefts > 0) ? Side::left : Side::right, forward > 0};
+    const std::size_t first = static_cast<std::size_t>(facts.up) % 3, second = (first + 1) % 3;
+    const auto left = [&](std::size_t axis) {
+        return places[0][axis] / counts[0] - places[1][axis] / counts[1];
+    };
+    sides.forward = direction[first] * left(second) - direction[second] * left(first) > 0;
+    sides.name = *sides.forward == (lefts > 0) ? Side::left : Side::right;
+    return sides;
 }
 
 Source matrix_source(ConstMatrixView frames, double fps) {

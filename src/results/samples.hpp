@@ -38,25 +38,17 @@ struct ClipSamples {
 /// first clip's.
 ClipSamples prepare_clips(Clips clips, clip::PrepareOptions options, const Progress& progress);
 
-/// Weights of the columns that show which leg moves forward, from the skeleton or from the names of
-/// points. Empty if there are not two sides.
-std::vector<double> side_weights_of(const clip::Clip& clip, const SampleFacts& facts,
-                                    ConstMatrixView samples);
-
-/// The weights of the columns of one of the two sides, 0 for the others; three columns each.
-std::vector<double> one_side_of(const std::vector<double>& weights);
-
-/// What the names of the weighted joints or points say.
-struct NamedSides {
-    Side one = Side::neither; ///< side 1 of cycles and steps: it moves forward while the weighted
-                              ///< sum of velocities is positive
-    /// Whether the points of one_side_of() are that side.
-    std::optional<bool> forward;
+/// The two sides of the body, from the skeleton or from the names of points.
+struct BodySides {
+    std::vector<double> weights; ///< motion::Options::side
+    std::vector<double> one;     ///< motion::Options::one_side
+    std::optional<bool> forward; ///< motion::Options::forward; unset: no names state sides
+    Side name = Side::neither;   ///< the side that moves forward while the weighted sum of
+                                 ///< velocities is positive; it is side 1 of cycles and steps
 };
 
-/// Assumes right-handed axes. `owners`: the joint or point of each column; each has three.
-NamedSides named_sides(const std::vector<std::string>& owners, const std::vector<double>& weights,
-                       ConstMatrixView samples, clip::Axis up);
+/// Assumes right-handed axes.
+BodySides body_sides(const clip::Clip& clip, const SampleFacts& facts, ConstMatrixView samples);
 
 /// The source of a matrix, which has no clips. fps 0: unknown.
 Source matrix_source(ConstMatrixView frames, double fps);

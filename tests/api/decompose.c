@@ -400,7 +400,7 @@ static void wrong_arguments(void** state) {
     (void)state;
     stltsa_clip* clip = opened();
     stltsa_decomposition* d = decomposed(clip, NULL);
-    double two[2];
+    double two[2], share = 7;
     const stltsa_out small = packed_out(two, 2, 1);
     stltsa_decomposition* none = d;
     assert_int_equal(stltsa_decompose(NULL, NULL, &none), STLTSA_E_ARGUMENT);
@@ -410,6 +410,11 @@ static void wrong_arguments(void** state) {
     assert_int_equal(stltsa_decomposition_loop(d, NULL), STLTSA_E_ARGUMENT);
     assert_string_equal(stltsa_decomposition_warning(d, 1000), "");
     assert_int_equal(stltsa_decomposition_unit_count(NULL), 0);
+    assert_int_equal(stltsa_decomposition_first_step(NULL, 0, &share, NULL), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_decomposition_first_step(d, 1000, &share, NULL), STLTSA_E_ARGUMENT);
+    assert_true(share == 7);
+    assert_string_equal(stltsa_decomposition_steps_reason(d, 1000), "");
+    assert_int_equal(stltsa_decomposition_side(NULL, 0), STLTSA_SIDE_NONE);
     stltsa_decomposition_free(NULL);
     stltsa_decomposition_free(d);
     stltsa_clip_free(clip);

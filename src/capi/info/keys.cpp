@@ -51,7 +51,7 @@ constexpr stltsa_info_key rows[] = {
     real(STLTSA_INFO_PERIOD, "period",
          "Period in seconds; 0: none, or the rate is unknown: see period_rows."),
     real(STLTSA_INFO_LAG_QUALITY, "lag_quality",
-         "match of the velocities one period apart; 1: perfect, 0: no period."),
+         "Match of the velocities one period apart; 1: perfect, 0: no period."),
     real(STLTSA_INFO_PERIOD_MIN, "period_min",
          "Shortest period looked for, in seconds; 0: no search was made."),
     real(STLTSA_INFO_PERIOD_MAX, "period_max",

@@ -133,8 +133,7 @@ motion::Options OptionsReader::decompose_options() const {
     motion::Options options;
     options.segments = integer_if_set(STLTSA_OPT_SEGMENTS);
     const results::PeriodRange range = results::range_of(period_search(), 1, 0); // in seconds
-    options.shortest_period = range.shortest;
-    options.longest_period = range.longest;
+    options.periods = {range.shortest, range.longest};
     return options;
 }
 

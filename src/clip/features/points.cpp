@@ -199,7 +199,7 @@ FeatureRows points(const Clip& clip, std::optional<Axis> up, GapRule rule,
     FeatureRows made{copied(clip.values.view()), Axis::none, false, {}, {}};
     polls.did(values);
     if (rule != GapRule::refuse)
-        note_strays(clip, width, drop_strays(made.rows, width, clip.fps), made.notes);
+        note_strays(clip, width, drop_strays(made.rows, width, clip.fps, polls), made.notes);
     polls.did(values);
     const Gaps gaps = fill_gaps(made.rows, width, rule, clip.fps);
     polls.did(values);

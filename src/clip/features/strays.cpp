@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 
+#include "base/numbers.hpp"
 #include "clip/clip.hpp"
 #include "linalg/simd.hpp"
 
@@ -21,8 +21,6 @@ constexpr std::int64_t frames_measured = 100;
 /// The size of fewer points, such as those of a hand or a stick, is not that of a body.
 constexpr std::int64_t min_points = 8;
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
 double square(double x) {
     return x * x;
 }
@@ -30,24 +28,23 @@ double square(double x) {
 /// The points of one clip.
 class Paths {
   public:
-    Paths(Matrix& rows, int width, double fps)
-        : rows_(rows), width_(width), fps_(fps), size_(median_size()) {}
+    Paths(Matrix& rows, int width, double fps, PacedPoll& polls)
+        : rows_(rows), width_(width), fps_(fps), polls_(polls), size_(median_size()) {}
 
     bool measurable() const { return size_ > 0; }
     std::int64_t count() const { return rows_.cols() / width_; }
 
     /// Makes the strays of the point NaN; returns their number.
     std::int64_t drop(std::int64_t point) {
-        std::int64_t dropped = 0, last = -1; // the last frame at which it is known and no stray
-        for (std::int64_t i = 0; i < rows_.rows(); ++i) {
-            if (is_missing(at(i, point), width_))
+        std::int64_t dropped = 0;
+        for (std::int64_t i = 1; i < rows_.rows(); ++i) {
+            polls_.did(width_);
+            if (is_missing(at(i - 1, point), width_) || is_missing(at(i, point), width_))
                 continue;
-            if (const std::int64_t end = last == i - 1 && i > 0 ? end_of_strays(i, point) : i;
-                end > i) {
-                for (; i < end; ++i, ++dropped)
-                    std::fill_n(at(i, point), width_, none);
-            }
-            last = i;
+            const std::int64_t end = end_of_strays(i, point);
+            dropped += end - i;
+            for (std::int64_t stray = i; stray < end; ++stray)
+                std::fill_n(at(stray, point), width_, none);
         }
         return dropped;
     }
@@ -55,7 +52,7 @@ class Paths {
   private:
     double* at(std::int64_t frame, std::int64_t point) { return rows_.row(frame) + width_ * point; }
 
-    /// Root mean square distance of the points from their mean, of the usual frame.
+    /// Root mean square distance of the points from their mean, in the median frame.
     double median_size() {
         std::vector<double> sizes;
         const std::int64_t step = 1 + (rows_.rows() - 1) / frames_measured;
@@ -84,20 +81,25 @@ class Paths {
         return *middle;
     }
 
+    double distance(std::int64_t frame, std::int64_t other, std::int64_t point) {
+        return std::sqrt(squared_distance(at(frame, point), at(other, point), width_));
+    }
+
     /// The frame at which the point that left its path at `first` is back on it; `first`: it is no
     /// stray.
     std::int64_t end_of_strays(std::int64_t first, std::int64_t point) {
         const std::int64_t before = first - 1;
+        // A stray moves at least half of `away` in its first frame: the line rises by no more.
+        if (distance(before, first, point) <= least_away / 2 * size_)
+            return first;
         for (std::int64_t end = first + 1; end < rows_.rows(); ++end) {
             const double half = static_cast<double>(end - before) / (2 * fps_);
-            if (2 * half > longest_stray_s)
-                break;
-            if (is_missing(at(end, point), width_))
+            if (2 * half > longest_stray_s || is_missing(at(end, point), width_))
                 break;
             // Farther than the frames beside it are apart, or one of those is the stray.
             const double away =
                 std::max(std::max(least_away, most_acceleration * half * half / 2) * size_,
-                         std::sqrt(squared_distance(at(before, point), at(end, point), width_)));
+                         distance(before, end, point));
             bool all = true;
             for (std::int64_t i = first; i < end && all; ++i)
                 all = is_off({before, i, end}, point, away);
@@ -120,19 +122,20 @@ class Paths {
                share * at(frames.end, point)[c];
     }
 
-    /// Whether the point is so far off the line, also if what the others are off is subtracted:
-    /// the whole body may move.
+    /// Whether the point is that far off the line, and still is if the mean of the other points is
+    /// subtracted: the whole body may jump.
     bool is_off(const Between& frames, std::int64_t point, double away) {
         double own = 0, alone = 0;
         for (int c = 0; c < width_; ++c)
             own += square(off_line(frames, point, c));
         if (!(own > square(away)))
             return false;
+        polls_.did(rows_.cols());
         for (int c = 0; c < width_; ++c) {
             double others = 0, known = 0;
             for (std::int64_t p = 0; p < count(); ++p)
-                if (const double other = p == point ? none : off_line(frames, p, c);
-                    std::isfinite(other)) {
+                if (const double other = off_line(frames, p, c);
+                    p != point && std::isfinite(other)) {
                     others += other;
                     ++known;
                 }
@@ -144,15 +147,16 @@ class Paths {
     Matrix& rows_;
     int width_;
     double fps_;
+    PacedPoll& polls_;
     double size_;
 };
 
 } // namespace
 
-std::vector<std::int64_t> drop_strays(Matrix& rows, int width, double fps) {
+std::vector<std::int64_t> drop_strays(Matrix& rows, int width, double fps, PacedPoll& polls) {
     if (rows.cols() / width < min_points || !(fps > 0))
         return {};
-    Paths paths(rows, width, fps);
+    Paths paths(rows, width, fps, polls);
     std::vector<std::int64_t> frames;
     for (std::int64_t point = 0; paths.measurable() && point < paths.count(); ++point)
         frames.push_back(paths.drop(point));

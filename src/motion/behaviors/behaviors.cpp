@@ -25,9 +25,10 @@ constexpr std::size_t most_behaviors = 64;
 constexpr double most_shift_s = 0.2;
 constexpr double near_s = 0.4;
 constexpr double far_s = 2.5;
-/// Placing each border: rate of the poses, their smoothing, the way to
-/// each side, the distance of examples from borders, most of them, and the squared distance, as a
-/// share of the total variance, beyond which a pose is not like an example.
+/// Placing each border: rate of the poses; their smoothing; how far the border may move to each
+/// side; how far examples lie from borders, and from the pose they are compared with; most
+/// examples; and the squared distance, as a share of the total variance, beyond which a pose is
+/// like none.
 constexpr double poses_per_second = 15;
 constexpr double pose_smoothing_s = 0.1;
 constexpr double window_s = 1.2;

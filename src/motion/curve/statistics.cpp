@@ -6,6 +6,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/numbers.hpp"
+
 namespace stltsa::motion {
 namespace {
 
@@ -27,6 +29,18 @@ double quantile(std::span<const double> values, double share) {
     const auto below = static_cast<std::size_t>(place);
     const std::size_t above = std::min(below + 1, sorted.size() - 1);
     return sorted[below] + (place - std::floor(place)) * (sorted[above] - sorted[below]);
+}
+
+double standard_deviation(std::span<const double> values) {
+    if (values.size() < 2)
+        return none;
+    const auto count = static_cast<double>(values.size());
+    double mean = 0, squares = 0;
+    for (const double value : values)
+        mean += value / count;
+    for (const double value : values)
+        squares += (value - mean) * (value - mean);
+    return std::sqrt(squares / (count - 1));
 }
 
 double robust_deviation(std::span<const double> values) {
@@ -70,9 +84,9 @@ double t_quantile(double freedom) {
         if (freedom < 5)
             c += 0.3 * (freedom - 4.5) * (normal + 0.6);
         c = (((0.05 * d * normal - 5) * normal - 7) * normal - 2) * normal + b + c;
-        y = (normal * normal);
+        y = normal * normal;
         y = (((((0.4 * y + 6.3) * y + 36) * y + 94.5) / c - y - 3) / b + 1) * normal;
-        y = std::expm1(a * (y * y));
+        y = std::expm1(a * y * y);
     } else {
         y = ((1 / (((freedom + 6) / (freedom * y) - 0.089 * d - 0.822) * (freedom + 2) * 3) +
               0.5 / (freedom + 4)) *

@@ -16,6 +16,9 @@ inline double median(std::span<const double> values) {
     return quantile(values, 0.5);
 }
 
+/// NaN for fewer than two values.
+double standard_deviation(std::span<const double> values);
+
 /// Robust standard deviation of noise about 0: 1.4826 times the median absolute value.
 double robust_deviation(std::span<const double> values);
 

@@ -13,8 +13,8 @@ namespace stltsa::motion {
 namespace {
 
 /// Logistic regression on the candidate cycles of the first half of the sets of measure/cycles, in
-/// which those of loops within a period count a tenth and recorded moves three times. Log loss on
-/// the second half: 0.043; 0.07 without the mismatch. The number of turns adds nothing.
+/// which those of loops within a period count a tenth and recorded moves three times. On the other
+/// half, measure/cycles prints how many cycles of each confidence are right.
 constexpr double base = -0.66;
 constexpr double of_deviation = -0.99;
 constexpr double of_length = -13.21;
@@ -22,8 +22,8 @@ constexpr double of_mismatch = -0.82;
 /// Least deviation, and least mismatch one period apart, that are told from none.
 constexpr double min_deviation = 0.01;
 constexpr double min_mismatch = 0.02;
-/// The same for borders beside no, one and two single actions. Most of the last are in noise and
-/// sway, which are divided somewhere.
+/// The logistic regression for borders beside no, one and two single actions, on the logarithm of
+/// the gain. Most of the last are in noise and sway, which are divided somewhere.
 struct LogisticOfGain {
     double base, slope;
 };

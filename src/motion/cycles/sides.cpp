@@ -109,12 +109,7 @@ double first_half(const Swing& swing, double bent, std::span<const Interval> cyc
 /// Half the width of the 95 % confidence interval of the mean.
 double margin_of(const std::vector<double>& values) {
     const auto count = static_cast<double>(values.size());
-    double mean = 0, squares = 0;
-    for (const double value : values)
-        mean += value / count;
-    for (const double value : values)
-        squares += (value - mean) * (value - mean);
-    return t_quantile(count - 1) * std::sqrt(squares / (count - 1) / count);
+    return t_quantile(count - 1) * standard_deviation(values) / std::sqrt(count);
 }
 
 } // namespace
@@ -138,6 +133,11 @@ std::vector<double> side_motion(const Signal& signal, ConstMatrixView samples,
     return motion;
 }
 
+double fixed_weight(std::size_t column) {
+    constexpr double golden_angle = 2.399963229728653;
+    return std::cos(golden_angle * static_cast<double>(column));
+}
+
 int leading_side(const std::vector<double>& motion, std::span<const double> borders) {
     double sum = 0;
     for (const double border : borders)
@@ -147,14 +147,14 @@ int leading_side(const std::vector<double>& motion, std::span<const double> bord
 
 Halves halves_of(const Signal& signal, std::span<const Interval> cycles) {
     if (signal.side.empty())
-        return {unknown, unknown,
+        return {none, none,
                 "the two sides of the body are not known: they are those of a skeleton, or of "
                 "points with names such as LHEE and RHEE"};
     if (!sides_alternate(signal.side, cycles))
-        return {unknown, unknown, "the two sides of the body do not swing in turn"};
+        return {none, none, "the two sides of the body do not swing in turn"};
     const double bent = 1 + bent_s * signal.rate;
     if (cycles.size() < min_cycles || !signal.forward)
-        return {0.5, unknown, {}};
+        return {0.5, none, {}};
     const Swing swing = swing_of(signal, cycles);
     std::vector<double> each;
     for (std::size_t i = 0; i < cycles.size(); ++i)

@@ -14,6 +14,7 @@
 #include "motion/curve/statistics.hpp"
 #include "motion/cycles/border_alignment.hpp"
 #include "motion/cycles/evidence.hpp"
+#include "motion/cycles/sides.hpp"
 
 namespace stltsa::motion {
 namespace {
@@ -29,7 +30,6 @@ constexpr double same_posture = 0.3;
 constexpr double near_rest = 0.5;
 constexpr double near_phase = 0.25;
 constexpr std::int64_t posture_phases = 96;
-constexpr double golden_angle = 2.399963229728653;
 /// Time before and after a motion in which its posture of rest is read.
 constexpr double posture_s = 0.3;
 /// A stretch that is longer than this share of its part is the only one.
@@ -236,8 +236,7 @@ double preference_for(const Signal& signal, const Growth& growth, double margin)
     });
     for (std::int64_t c = 0; c < signal.directions.rows(); ++c) {
         const double rise = dot(mean.data(), signal.directions.row(c), signal.cols());
-        // By the golden angle, few columns have like weights: those of both legs do not cancel.
-        const double weight = 1 + std::cos(golden_angle * static_cast<double>(c));
+        const double weight = 1 + fixed_weight(c);
         sum += weight * rise * std::abs(rise);
         count += weight * rise * rise;
     }

@@ -38,7 +38,7 @@ struct CyclicStretch {
 /// Whether both may be of one motion: their cycles are about as long, and the mean cycles alike,
 /// whatever the phase at which they begin.
 bool may_be_one(const CyclicStretch& a, const CyclicStretch& b);
-/// The same of neighbors, by the cycles nearest to each other: the tempo may change.
+/// The same for two neighbors, by their nearest cycles: the tempo may change.
 bool may_follow(const CyclicStretch& before, const CyclicStretch& after);
 
 /// Where the body keeps still: at all, and between motions (find_rests(), find_pauses()).

@@ -11,10 +11,10 @@
 namespace stltsa::motion {
 namespace {
 
-/// Lags of the track are as far apart.
-constexpr double track_step = 0.04;
+/// A little more than the 3 % that the lags of the track are apart.
+constexpr double most_off = 0.04;
 
-/// The lag in rows, within track_step of the median period of the stretch, at which its velocities
+/// The lag in rows, within most_off of the median period of the stretch, at which its velocities
 /// match best.
 double best_lag(const Signal& signal, const Stretch& stretch) {
     const auto match = [&](std::int64_t lag) {
@@ -27,7 +27,7 @@ double best_lag(const Signal& signal, const Stretch& stretch) {
         return energy > 0 ? both / energy : 0;
     };
     const double tracked = median(stretch.period);
-    const std::int64_t reach = std::max<std::int64_t>(1, std::lround(track_step * tracked));
+    const std::int64_t reach = std::max<std::int64_t>(1, std::lround(most_off * tracked));
     std::int64_t best = std::lround(tracked);
     for (std::int64_t lag = std::lround(tracked) - reach; lag <= std::lround(tracked) + reach;
          ++lag)

@@ -168,7 +168,7 @@ double usual_match(const LagMap& map, std::int64_t first, const std::vector<doub
 }
 
 /// Shares of the tracked lags: that which is the period, less than 1 if a shorter lag matches about
-/// as well most of the time; and the shortest that matches at all, 0 if none does.
+/// as well most of the time; and otherwise the shortest that matches at all, 0 if none does.
 struct Octave {
     double period = 1;
     double shortest = 0;
@@ -186,8 +186,10 @@ Octave octave(const LagMap& map, double shortest, std::int64_t first,
         const double after = usual_match(map, first, lags, std::exp(x));
         if (fraction > 0 && fraction <= longest_fraction && here >= before && here >= after &&
             here - lowest >= clear_minimum && fraction * median(lags) >= shortest) {
-            if (here >= needed)
-                return {fraction, fraction};
+            if (here >= needed) {
+                found.period = fraction;
+                return found;
+            }
             if (here >= none_score && found.shortest == 0)
                 found.shortest = fraction;
         }

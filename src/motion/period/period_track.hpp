@@ -23,8 +23,8 @@ struct Stretch {
     Rows rows;
     std::vector<double> period; ///< rows, for each of the rows
     double quality = 0;         ///< median match one period apart, at most 1
-    /// Rows: turns within the period that are like their neighbors, or a longer period that the
-    /// turns share; 0: none was seen.
+    /// The lag that was not chosen, in rows: that of turns within the period, or a longer one that
+    /// the turns share; 0: there is none.
     double other_period = 0;
 
     /// That of the nearest row.

@@ -95,9 +95,9 @@ Recording analyze(ConstMatrixView samples, double fps, const Options& options,
     };
     const KernelFeatures features(signal, poll_at(0));
     const auto drafts_at = [&](double price) {
-        const std::vector<Part> parts = divide(
-            signal, {seconds > shortest_divided_s ? &features : nullptr, price, holes},
-            {rests, pauses.rests}, {options.shortest_period, options.longest_period}, progress);
+        const std::vector<Part> parts =
+            divide(signal, {seconds > shortest_divided_s ? &features : nullptr, price, holes},
+                   {rests, pauses.rests}, options.periods, progress);
         return make_drafts(signal, parts, pauses, poll_at(1));
     };
     std::vector<Draft> drafts = drafts_at(border_price);

@@ -125,7 +125,7 @@ void append_segment(Work& work, std::vector<Draft>& drafts, std::size_t i) {
     segment.label = draft.label;
     segment.reason = draft.reason;
     segment.candidate_period = draft.candidate_period * static_cast<double>(work.signal.step);
-    segment.begin_confidence = i == 0 ? unknown : border_confidence_of(drafts, i);
+    segment.begin_confidence = i == 0 ? none : border_confidence_of(drafts, i);
     const double seconds = (draft.end - draft.begin) / work.signal.rate;
     switch (draft.kind) {
     case SegmentKind::cyclic:

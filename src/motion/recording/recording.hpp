@@ -30,7 +30,7 @@ struct Segment {
     double begin = 0;
     double end = 0;
     int label = -1;              ///< 0 for A, in order of appearance; -1: a rest
-    double likeness = unknown;   ///< mean likeness to the others of its label; NaN: there are none
+    double likeness = none;      ///< mean likeness to the others of its label; NaN: there are none
     double period = 0;           ///< median of the cycles; 0: not cyclic
     double candidate_period = 0; ///< seen, but not claimed; 0: none
     std::int64_t count = 0;      ///< cycles or repetitions
@@ -38,17 +38,17 @@ struct Segment {
     bool open_begin = false;     ///< the recording begins within this motion
     bool open_end = false;
     double confidence = 0;
-    double begin_confidence = unknown; ///< of its first border; NaN at the start
-    std::string reason;                ///< why no cycles are claimed
-    Halves halves;                     ///< of its cycles
+    double begin_confidence = none; ///< of its first border; NaN at the start
+    std::string reason;             ///< why no cycles are claimed
+    Halves halves;                  ///< of its cycles
 };
 
 struct Cycle {
     std::int64_t segment = 0;
     double begin = 0;
     double end = 0;
-    int side = -1;             ///< 0 or 1; -1: unknown
-    double likeness = unknown; ///< to the mean cycle of its segment
+    int side = -1;          ///< 0 or 1; -1: unknown
+    double likeness = none; ///< to the mean cycle of its segment
     double confidence = 0;
 };
 
@@ -65,7 +65,7 @@ struct Repetition {
     std::int64_t segment = 0;
     double begin = 0;
     double end = 0;
-    double likeness = unknown; ///< mean likeness to the others of its label
+    double likeness = none; ///< mean likeness to the others of its label
     double confidence = 0;
 };
 
@@ -94,8 +94,7 @@ struct Hole {
 };
 
 struct Options {
-    double shortest_period = 0.3; ///< seconds
-    double longest_period = 6;    ///< seconds
+    PeriodRange periods;
     /// Number in motion; unset: as many as the behavior changes.
     std::optional<std::int64_t> segments;
     double smoothed_s = 0; ///< sigma of the Gaussian that smoothed the samples

@@ -70,7 +70,7 @@ void finds_no_period_without_repetition(void**) {
     const double fps = 30;
     Matrix noise(300, 30);
     add_noise(noise, 1, 7);
-    assert_true(period_of(noise, fps).quality < 0.3);
+    assert_true(period_of(noise, fps).samples == 0);
     const Matrix line =
         sampled(300, 5, fps, [](double t, std::int64_t c) { return t * static_cast<double>(c); });
     assert_true(period_of(line, fps).samples == 0);
