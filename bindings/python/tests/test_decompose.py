@@ -27,6 +27,15 @@ def test_what_does_not_move_is_standing():
     assert result.reason
 
 
+def test_the_foot_of_a_step_is_ahead_in_it(clip, result):
+    left, right = (
+        clip.positions[:, clip.joints.index(f"{side}Foot"), 2] for side in ("Left", "Right")
+    )
+    for step in json.loads(result.to_json())["steps"]:
+        ahead = (left - right)[step["begin"] : step["end"]].mean()
+        assert (ahead > 0) == (step["side_name"] == "left")
+
+
 def test_segments_cycles_and_steps(result):
     moving = [segment for segment in result.segment_list if segment.kind != "rest"]
     assert [segment.kind for segment in moving] == ["cyclic"]
