@@ -67,6 +67,16 @@ class Run:
 
     # ---- Rows ----
 
+    def heading(self):
+        heads = ["before", "now"][-len(self.builds):]
+        print(" | ".join([f"{'set':<12}", f"{'what counts':<58}", *(f"{h:>16}" for h in heads),
+                          f"{'limit':>16}", "pass"]))
+
+    def finished(self):
+        """Prints the count of limits, and returns the exit status."""
+        print(f"\n{self.counted - len(self.missed)} passed, {len(self.missed)} failed")
+        return 1 if self.missed else 0
+
     def begin(self, name):
         self.name, self.rows = name, {}
 

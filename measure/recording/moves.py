@@ -100,7 +100,16 @@ class Joined:
                          border_at)
 
 
-def mixture(styles, seed, seconds, blend=9):
+def changed(rng, move):
+    """The move, its size and tempo changed at random by up to a quarter and a fifth."""
+    mean, tempo = move.rows.mean(axis=0), np.exp(rng.uniform(-0.2, 0.2))
+    at = np.arange(0, len(move.rows) - 1, tempo)
+    rows = np.stack([np.interp(at, np.arange(len(move.rows)), c) for c in move.rows.T], axis=1)
+    return Move(move.kind, mean + rng.uniform(0.75, 1.25) * (rows - mean), move.period / tempo,
+                move.swings)
+
+
+def mixture(styles, seed, seconds, blend=9, varied=False):
     """As in the measurements that the limits come from: two or three takes of a gait or one of
     another kind, never the same kind twice in a row, joined within 0.3 s; no rests."""
     rng = np.random.default_rng([seed, 9])
@@ -114,12 +123,12 @@ def mixture(styles, seed, seconds, blend=9):
         last = kind
         takes = [move for move in styles[style] if move.kind == kind]
         for i in rng.integers(len(takes), size=rng.integers(2, 4) if kind in GAIT else 1):
-            move = takes[i]
+            move = changed(rng, takes[i]) if varied else takes[i]
             joined.add("cyclic" if move.cyclic else "action", kind, move.rows, blend, move.piece())
     return joined.recording(f"moves, {style}, {seconds / 60:g} min", "begin")
 
 
-def mixture_with_rests(styles, seed, seconds):
+def mixture_with_rests(styles, seed, seconds, varied=False):
     """Parts of 2 to 20 s, rests of 0.5 to 3 s, blends of 0.1 to 0.5 s. Gaits are repeated to their
     length and cut."""
     rng = np.random.default_rng([seed, 10])
@@ -134,7 +143,8 @@ def mixture_with_rests(styles, seed, seconds):
         if kind == last:
             continue
         last = kind
-        _add_part(rng, joined, [move for move in moves if move.kind == kind])
+        _add_part(rng, joined, [changed(rng, move) if varied else move
+                                for move in moves if move.kind == kind])
         if rng.uniform() < 0.4:
             times = np.arange(rng.integers(15, 91)) / FPS
             noise = np.stack([smooth_noise(rng, times, 1) for _ in standing], 1)
