@@ -958,6 +958,15 @@ STLTSA_API stltsa_status stltsa_decomposition_segment(const stltsa_decomposition
 STLTSA_API const char *
 stltsa_decomposition_segment_reason(const stltsa_decomposition *decomposition,
                                     int64_t index) STLTSA_NOEXCEPT;
+/* How similar the segments of two labels are, 0 (different) to 1 (same): the mean over pairs of their
+ * segments, at most 24 of each label. It compares the postures, the speeds, and which parts of the
+ * body move together; moderate differences in size and tempo change it little. Segments whose mean
+ * likeness is at least about 0.65 share a label, except repetitions, which are grouped by their
+ * course. NaN if `label` is `other` and only one segment has it. E_ARGUMENT if a label is out of
+ * range; *likeness is unchanged then. */
+STLTSA_API stltsa_status
+stltsa_decomposition_label_likeness(const stltsa_decomposition *decomposition, int32_t label,
+                                    int32_t other, double *likeness) STLTSA_NOEXCEPT;
 /* How the cycles of a segment divide into steps. The first step takes `share` of a cycle: it ends
  * where the other side of the body does what the first did at the begin. `margin` is half the width
  * of the 95 % interval of the estimated share over the cycles; `share` is exactly 0.5 if the

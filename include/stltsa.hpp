@@ -714,6 +714,13 @@ class Decomposition {
     std::string segment_reason(std::int64_t index) const {
         return stltsa_decomposition_segment_reason(get(), index);
     }
+    /// How similar the segments of two labels are, 0 to 1, or NaN; see
+    /// stltsa_decomposition_label_likeness(). Throws if a label is out of range.
+    double label_likeness(std::int32_t label, std::int32_t other) const {
+        double found = 0;
+        detail::check(stltsa_decomposition_label_likeness(get(), label, other, &found));
+        return found;
+    }
     /// Share of a cycle of the segment that the first step takes, and how far its 95 % interval
     /// reaches to each side; NaN: see stltsa_decomposition_first_step().
     std::pair<double, double> first_step(std::int64_t segment) const {

@@ -135,6 +135,19 @@ stltsa_status stltsa_decomposition_first_step(const stltsa_decomposition* decomp
     });
 }
 
+stltsa_status stltsa_decomposition_label_likeness(const stltsa_decomposition* decomposition,
+                                                  int32_t label, int32_t other,
+                                                  double* likeness) noexcept {
+    return guard([&] {
+        const Matrix& all = required(decomposition, "decomposition").label_likeness;
+        double& to = required(likeness, "likeness");
+        for (const int32_t each : {label, other})
+            if (each < 0 || each >= all.rows())
+                fail(Status::argument, "label {} is out of range: there are {}", each, all.rows());
+        to = all(label, other);
+    });
+}
+
 const char* stltsa_decomposition_steps_reason(const stltsa_decomposition* decomposition,
                                               int64_t segment) noexcept {
     const motion::Halves* halves =

@@ -28,12 +28,14 @@ double total_variance(ConstMatrixView rows) {
     return rows.rows > 0 ? squares / static_cast<double>(rows.rows) : 0;
 }
 
-void set_covariance(ConstMatrixView centered, double* matrix) {
+void set_covariance(ConstMatrixView centered, double* matrix, const std::function<void()>& poll) {
     constexpr std::int64_t rows_at_once = 32;
     const std::int64_t p = centered.cols;
     std::fill_n(matrix, p * p, 0.0);
     Matrix shares(rows_at_once, p);
+    PacedPoll polls(poll);
     for (std::int64_t i = 0; i < centered.rows; i += rows_at_once) {
+        polls.did(rows_at_once * p * p / 2);
         const ConstMatrixView block = centered.block(i, std::min(rows_at_once, centered.rows - i));
         for (std::int64_t r = 0; r < block.rows; ++r)
             for (std::int64_t c = 0; c < p; ++c)
@@ -44,11 +46,12 @@ void set_covariance(ConstMatrixView centered, double* matrix) {
     }
 }
 
-PrincipalDirections principal_directions(ConstMatrixView centered, std::int64_t most) {
+PrincipalDirections principal_directions(ConstMatrixView centered, std::int64_t most,
+                                         const std::function<void()>& poll) {
     const std::int64_t p = centered.cols;
     const std::int64_t count = std::min({most, p, centered.rows});
     TopEigenpairs pairs(p, count);
-    set_covariance(centered, pairs.matrix());
+    set_covariance(centered, pairs.matrix(), poll);
     pairs.solve();
     PrincipalDirections found{Matrix(count, p), {}};
     for (std::int64_t d = 0; d < count; ++d) {

@@ -16,7 +16,8 @@ std::vector<double> column_means(ConstMatrixView rows, const std::function<void(
 double total_variance(ConstMatrixView rows);
 
 /// Of centered rows: the lower triangle by columns.
-void set_covariance(ConstMatrixView centered, double* matrix);
+void set_covariance(ConstMatrixView centered, double* matrix,
+                    const std::function<void()>& poll = {});
 
 struct PrincipalDirections {
     Matrix directions;             ///< orthonormal rows, that of the largest variance first
@@ -24,6 +25,7 @@ struct PrincipalDirections {
 };
 
 /// At most `most`, of centered rows.
-PrincipalDirections principal_directions(ConstMatrixView centered, std::int64_t most);
+PrincipalDirections principal_directions(ConstMatrixView centered, std::int64_t most,
+                                         const std::function<void()>& poll = {});
 
 } // namespace stltsa

@@ -3,10 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "clip/body/course.hpp"
+#include "clip/body/heading.hpp"
+#include "clip/body/skeleton.hpp"
 #include "clip/features/column_owners.hpp"
 #include "clip/features/drift.hpp"
+#include "clip/features/features.hpp"
 #include "clip/features/points.hpp"
 #include "ltsa/frames.hpp"
 #include "ltsa/warnings.hpp"
@@ -220,6 +224,25 @@ double body_size(clip::Features features, const Matrix& samples) {
     return std::sqrt(squares);
 }
 
+/// The rotations of the joints in each sample, if the samples are their positions. They are not
+/// smoothed.
+Matrix rotations_beside(const clip::Clip& clip, const SampleFacts& samples,
+                        const std::function<void()>& poll) {
+    if (samples.features != clip::Features::positions ||
+        clip::turning_joints(*clip.skeleton, clip::body_root(clip)).empty())
+        return {};
+    clip::Clip kept;
+    kept.fps = samples.fps;
+    kept.skeleton = clip.skeleton;
+    kept.values = Matrix::unset(samples.count, clip.values.cols());
+    for (std::int64_t i = 0; i < samples.count; ++i)
+        std::copy_n(clip.values.row(samples.first + i * samples.step), clip.values.cols(),
+                    kept.values.row(i));
+    return clip::feature_rows(kept, clip::Features::rotations6d, samples.up, clip::GapRule::fill,
+                              poll)
+        .rows;
+}
+
 /// Says which columns drifted.
 void note_drift(const clip::Clip& clip, clip::Features features,
                 const std::vector<std::int64_t>& columns, std::vector<std::string>& notes) {
@@ -328,6 +351,7 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
     options.smoothed_s = samples.smoothing;
     options.size = body_size(samples.features, prepared.samples);
     options.holes = holes_of(prepared);
+    options.rotations = rotations_beside(clip, samples, poll);
     BodySides sides = body_sides(clip, samples, prepared.samples.view());
     options.side = sides.weights;
     options.one_side = std::move(sides.one);
@@ -357,6 +381,7 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
         made.postures.push_back(made.source.samples.first + row * made.source.samples.step);
     made.source.period.period = period_of_longest(made.segments);
     made.summaries = summaries_of(made.segments, made.cycle_parts, made.repetitions);
+    made.label_likeness = std::move(found.label_likeness);
     made.curve = std::move(found.curve);
     made.representative = found.representative;
     made.best = found.best;

@@ -47,6 +47,7 @@ struct Decomposed {
     std::vector<std::vector<std::string>> carriers; ///< of each segment, what moves most first
     std::vector<std::string> reasons;               ///< of each segment; empty: it repeats
     std::vector<motion::Halves> halves;             ///< of each segment
+    Matrix label_likeness;                          ///< see motion::Recording
     Side side_one = Side::neither;                  ///< the side that is 1 in cycles and steps
     std::vector<stltsa_interval> units;
     std::vector<std::int64_t> postures; ///< frames for pictures: see telling_postures()

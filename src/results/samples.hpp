@@ -42,7 +42,7 @@ ClipSamples prepare_clips(Clips clips, clip::PrepareOptions options, const Progr
 struct BodySides {
     std::vector<double> weights; ///< motion::Options::side
     std::vector<double> one;     ///< motion::Options::one_side
-    std::optional<bool> forward; ///< motion::Options::forward; unset: no names state sides
+    std::optional<bool> forward; ///< motion::Options::forward; unset: the names do not tell them
     Side name = Side::neither;   ///< the side that moves forward while the weighted sum of
                                  ///< velocities is positive; it is side 1 of cycles and steps
 };

@@ -55,6 +55,7 @@ void a_recording_is_divided_into_segments(void**) {
     assert_true(!found.carriers(index).empty());
     assert_true(found.first_step(index).first == 0.5);
     assert_string_equal(found.steps_reason(index).c_str(), "");
+    assert_true(std::isnan(found.label_likeness(0, 0)));
     assert_true(found.side(0) == STLTSA_SIDE_LEFT || found.side(0) == STLTSA_SIDE_RIGHT);
     assert_int_equal(found.side(0) + found.side(1), STLTSA_SIDE_RIGHT);
     assert_int_equal(found.side(2), STLTSA_SIDE_NONE);

@@ -221,6 +221,16 @@ def side_names(kind):
     return lambda h: [name(h, side) for side in parts(kind, "side")(h)]
 
 
+def label_likeness(h):
+    labels = 1 + max(segments("label")(h), default=-1)
+    found = c_double()
+    for label in range(labels):
+        for other in range(labels):
+            call("decomposition_label_likeness", h.pointer, c_int32(label), c_int32(other),
+                 byref(found))
+            yield number(round(found.value, 3))
+
+
 SPAN = ("begin", "end", "begin_s", "end_s")
 SEGMENTS = {
     "kind": segments("kind", lambda kind: value("segment_name", c_char_p, kind).decode()),
@@ -374,6 +384,7 @@ FACTS = {
         **PERIOD,
         "lag_quality": lambda h: h["lag_quality"],
         **below("segments", SEGMENTS),
+        "label_likeness": lambda h: list(label_likeness(h)),
         "units.kind": unit_kinds,
         "units.segment": lambda h: [i.segment for i in h.rows("unit", Interval())],
         **intervals("unit"),

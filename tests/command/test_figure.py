@@ -295,8 +295,8 @@ class Figure(CommandTest):
             return [math.sin(at) + 0.2 * math.sin(2 * at), math.cos(at), math.sin(at + 1)]
 
         rows = [row(i) for i in range(1650)]
-        other = [[rows[-1][0], rows[-1][1] + 1.5 * math.sin(math.pi * k / 40),
-                  rows[-1][2] + math.sin(2 * math.pi * k / 40)] for k in range(40)]
+        other = [[rows[-1][0], rows[-1][1] + 1.5 * math.sin(math.pi * k / 24),
+                  rows[-1][2] + math.sin(2 * math.pi * k / 24)] for k in range(24)]
         line = ("decompose", write_csv("gap.csv", rows + other + rows, "a,b,c\n"), "--fps", "60")
         found = self.json(*line)
         cycles = found["cycles"]

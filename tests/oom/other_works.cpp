@@ -236,6 +236,8 @@ stltsa_status read_parts(const std::string&) {
     stltsa_decomposition_segment_reason(parts, 0);
     stltsa_decomposition_steps_reason(parts, 0);
     stltsa_decomposition_side(parts, 0);
+    double likeness = 0;
+    calls.make([&] { return stltsa_decomposition_label_likeness(parts, 0, 0, &likeness); });
     calls.make([&] { return stltsa_decomposition_first_step(parts, 0, nullptr, nullptr); });
     stltsa_decomposition_carrier(parts, 0, 0);
     stltsa_decomposition_reason(parts);

@@ -36,6 +36,16 @@ def test_the_foot_of_a_step_is_ahead_in_it(clip, result):
         assert (ahead > 0) == (step["side_name"] == "left")
 
 
+def test_likeness_of_labels():
+    t = np.arange(1800) / 30
+    one, other = (t % 20 < 9), (t % 20 >= 10) & (t % 20 < 19)
+    columns = [take * f(2 * np.pi * t) for take in (one, other) for f in (np.sin, np.cos)]
+    found = stltsa.decompose(np.column_stack(columns), fps=30).label_likeness
+    assert found.shape == (2, 2)
+    assert found.diagonal().min() > 0.65
+    assert found[0, 1] == found[1, 0] < 0.4
+
+
 def test_segments_cycles_and_steps(result):
     moving = [segment for segment in result.segment_list if segment.kind != "rest"]
     assert [segment.kind for segment in moving] == ["cyclic"]

@@ -42,6 +42,19 @@ Json segments_json(const Decomposed& decomposed) {
     return list;
 }
 
+/// In thousandths, because there are so many numbers if there are many labels.
+Json likeness_json(const Matrix& likeness) {
+    constexpr double digits = 1000;
+    std::vector<Json> rows;
+    for (std::int64_t label = 0; label < likeness.rows(); ++label) {
+        std::vector<double> row;
+        for (std::int64_t other = 0; other < likeness.cols(); ++other)
+            row.push_back(std::round(digits * likeness(label, other)) / digits);
+        rows.push_back(row);
+    }
+    return rows;
+}
+
 Json units_json(std::span<const stltsa_interval> units) {
     std::vector<Json> list;
     for (const stltsa_interval& unit : units) {
@@ -196,6 +209,7 @@ std::string decomposition_json(const Decomposed& decomposed) {
     object.set("period_s", json_positive_or_null(decomposed.source.period.period));
     object.set("lag_quality", decomposed.source.period.lag_quality);
     object.set("segments", segments_json(decomposed));
+    object.set("label_likeness", likeness_json(decomposed.label_likeness));
     object.set("units", units_json(decomposed.units));
     object.set("cycles", cycles_json(decomposed));
     object.set("steps", steps_json(decomposed));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The borders between behaviors, made sharper by what is known of the behaviors on both sides.
+// Where one behavior ends and another begins.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace stltsa::motion {
 
-/// Rows at which the behavior changes, ascending, without the ends. `price`: of a border; below
-/// border_price, moments are not assigned anew, which would lose short behaviors. `poll` is called
+/// Rows at which the behavior changes, ascending, without the ends. `price`: of a border.
+/// Neighbors of one behavior are joined unless the price is below border_price(). `poll` is called
 /// every few milliseconds and may throw.
-std::vector<std::int64_t> behavior_borders(const Signal& signal, const KernelFeatures& features,
-                                           double price, const std::function<void()>& poll);
+std::vector<std::int64_t> behavior_borders(const KernelFeatures& features, double price,
+                                           const std::function<void()>& poll);
 
 } // namespace stltsa::motion

@@ -10,18 +10,17 @@
 namespace stltsa::motion {
 namespace {
 
-constexpr double shortest_behavior_s = 0.8;
-/// Makes the search linear; the borders that this forces do not pay for themselves and are dropped.
-constexpr double longest_search_s = 120;
+constexpr double price_of_bodies = 8;
+constexpr double price_of_shapes = 14;
+/// Limits segments to this many moments, so that the search is linear; drop_unpaid() removes the
+/// borders that this forces.
+constexpr std::int64_t longest_search = 1200;
 /// Borders that save less than this share of their price are dropped.
 constexpr double pays = 0.97;
 
 std::vector<std::int64_t> search(const KernelFeatures& features, double price,
                                  const std::function<void()>& poll) {
     const std::int64_t n = features.count();
-    const auto least =
-        std::max<std::int64_t>(2, static_cast<std::int64_t>(shortest_behavior_s * features.rate()));
-    const auto most = static_cast<std::int64_t>(longest_search_s * features.rate());
     std::vector<double> best(static_cast<std::size_t>(n + 1),
                              std::numeric_limits<double>::infinity());
     std::vector<std::int64_t> previous(best.size());
@@ -29,7 +28,7 @@ std::vector<std::int64_t> search(const KernelFeatures& features, double price,
     std::vector<std::int64_t> candidates{0}, kept;
     std::vector<double> costs;
     PacedPoll polls(poll);
-    for (std::int64_t t = least; t <= n; ++t) {
+    for (std::int64_t t = 1; t <= n; ++t) {
         auto& total = best[static_cast<std::size_t>(t)];
         costs.clear();
         polls.did(static_cast<std::int64_t>(candidates.size()) * features.size());
@@ -42,17 +41,15 @@ std::vector<std::int64_t> search(const KernelFeatures& features, double price,
         }
         kept.clear();
         for (std::size_t c = 0; c < candidates.size(); ++c)
-            if (costs[c] <= total && t - candidates[c] < most)
+            if (costs[c] <= total && t - candidates[c] < longest_search)
                 kept.push_back(candidates[c]);
-        if (t - least + 1 >= least)
-            kept.push_back(t - least + 1);
+        kept.push_back(t);
         candidates.swap(kept);
     }
     std::vector<std::int64_t> borders;
-    if (n >= least)
-        for (std::int64_t t = previous[static_cast<std::size_t>(n)]; t > 0;
-             t = previous[static_cast<std::size_t>(t)])
-            borders.push_back(t);
+    for (std::int64_t t = previous[static_cast<std::size_t>(n)]; t > 0;
+         t = previous[static_cast<std::size_t>(t)])
+        borders.push_back(t);
     std::reverse(borders.begin(), borders.end());
     return borders;
 }
@@ -81,6 +78,10 @@ void drop_unpaid(const KernelFeatures& features, double price, std::vector<std::
 }
 
 } // namespace
+
+double border_price(const KernelFeatures& features) {
+    return features.of_shapes() ? price_of_shapes : price_of_bodies;
+}
 
 std::vector<std::int64_t> change_points(const KernelFeatures& features, double price,
                                         const std::function<void()>& poll) {

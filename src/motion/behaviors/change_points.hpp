@@ -11,12 +11,12 @@
 
 namespace stltsa::motion {
 
-/// A price for each border, not for the length of the recording: with log n, a fifth of the
-/// behaviors of ten minutes was lost.
-constexpr double border_price = 9;
+/// What a border costs, in units of KernelFeatures::cost(). It does not grow with the recording: a
+/// price proportional to log n lost a fifth of the behaviors in ten minutes.
+double border_price(const KernelFeatures& features);
 
-/// Moments at which the behavior changes, ascending, without the ends. `poll` is called every few
-/// milliseconds and may throw.
+/// Moments at which the behavior changes, ascending, without the ends. `price`: of a border. `poll`
+/// is called every few milliseconds and may throw.
 std::vector<std::int64_t> change_points(const KernelFeatures& features, double price,
                                         const std::function<void()>& poll = {});
 

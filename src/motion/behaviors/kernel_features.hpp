@@ -11,13 +11,16 @@
 
 namespace stltsa::motion {
 
-/// Velocities per tenth of a second count so many times as poses.
-inline constexpr double velocity_weight = 3;
-
 class KernelFeatures {
   public:
-    /// `poll` is called every few milliseconds and may throw.
-    explicit KernelFeatures(const Signal& signal, const std::function<void()>& poll = {});
+    /// `beside`: see even_poses(). `poll` is called every few milliseconds and may throw.
+    explicit KernelFeatures(const Signal& signal, const Matrix& beside = {},
+                            const std::function<void()>& poll = {});
+
+    /// moments x directions, see even_poses(), or make_shapes() if shapes are described.
+    const Matrix& poses() const { return poses_; }
+    /// Whether the shapes of few columns are described (make_shapes()).
+    bool of_shapes() const { return of_shapes_; }
 
     /// Number of moments; moment i is row i * step() of the signal.
     std::int64_t count() const { return sums_.rows() - 1; }
@@ -28,7 +31,7 @@ class KernelFeatures {
     Rows moments(Rows rows) const;
 
     std::int64_t size() const { return sums_.cols(); } ///< features of a moment
-    /// Adds the features of the moments.
+    /// Adds the sum of the features over the moments to `sum`, size() values.
     void add_sum(Rows moments, double* sum) const;
 
     /// Sum of squared distances from the mean of moments [begin, end).
@@ -37,10 +40,10 @@ class KernelFeatures {
     double gain(std::int64_t begin, std::int64_t middle, std::int64_t end) const;
     /// The same of two ranges that need not touch.
     double gain(Rows a, Rows b) const;
-    /// Cosine of the means of two ranges of moments, 0 to 1.
-    double likeness(Rows a, Rows b) const;
 
   private:
+    Matrix poses_;
+    bool of_shapes_ = false;
     std::int64_t step_ = 1;
     double rate_ = 0;
     Matrix sums_;                 ///< (moments + 1) x features

@@ -27,7 +27,7 @@ constexpr double min_mismatch = 0.02;
 struct LogisticOfGain {
     double base, slope;
 };
-constexpr LogisticOfGain of_gain[] = {{1.1, 3}, {2, 0.6}, {-3.6, 1.5}};
+constexpr LogisticOfGain of_gain[] = {{1.1, 3}, {1.7, 0}, {-3.6, 1.5}};
 constexpr double at_rest = 0.97;
 constexpr double at_rest_between_actions = 0.6;
 /// Share of right answers among segments up to this length.

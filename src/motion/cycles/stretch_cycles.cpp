@@ -341,10 +341,6 @@ double CyclicStretch::period() const {
     return median(lengths);
 }
 
-bool may_be_one(const CyclicStretch& a, const CyclicStretch& b) {
-    return near(a.period(), b.period()) && alike(a.growth, b.growth);
-}
-
 bool may_follow(const CyclicStretch& before, const CyclicStretch& after) {
     const std::vector<double>& last = before.borders;
     const std::vector<double>& first = after.borders;

@@ -35,10 +35,8 @@ struct CyclicStretch {
     double period() const; ///< median length of the cycles, rows
 };
 
-/// Whether both may be of one motion: their cycles are about as long, and the mean cycles alike,
-/// whatever the phase at which they begin.
-bool may_be_one(const CyclicStretch& a, const CyclicStretch& b);
-/// The same for two neighbors, by their nearest cycles: the tempo may change.
+/// Whether two neighbors may be of one motion: the nearest cycles of both are about as long, and
+/// the mean cycles alike, whatever the phase at which they begin.
 bool may_follow(const CyclicStretch& before, const CyclicStretch& after);
 
 /// Where the body keeps still: at all, and between motions (find_rests(), find_pauses()).

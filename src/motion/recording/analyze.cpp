@@ -29,7 +29,7 @@ void fit_number(const KernelFeatures& features, std::int64_t wanted,
                 const std::function<std::vector<Draft>(double price)>& drafts_at,
                 std::vector<Draft>& drafts) {
     std::int64_t most = moving(drafts);
-    for (double price = border_price; most < wanted && price > least_price;) {
+    for (double price = border_price(features); most < wanted && price > least_price;) {
         price *= cheaper;
         std::vector<Draft> finer = drafts_at(price);
         if (const std::int64_t found = moving(finer); found > most) {
@@ -93,21 +93,24 @@ Recording analyze(ConstMatrixView samples, double fps, const Options& options,
     const auto poll_at = [&](double fraction) {
         return [&progress, fraction] { progress.report(Stage::units, fraction); };
     };
-    const KernelFeatures features(signal, poll_at(0));
+    const KernelFeatures features(signal, options.rotations, poll_at(0));
     const auto drafts_at = [&](double price) {
         const std::vector<Part> parts =
             divide(signal, {seconds > shortest_divided_s ? &features : nullptr, price, holes},
                    {rests, pauses.rests}, options.periods, progress);
-        return make_drafts(signal, parts, pauses, poll_at(1));
+        std::vector<Draft> drafts =
+            make_drafts(signal, parts, pauses, features.of_shapes(), poll_at(1));
+        merge_shapes(features, parts, drafts);
+        return drafts;
     };
-    std::vector<Draft> drafts = drafts_at(border_price);
+    std::vector<Draft> drafts = drafts_at(border_price(features));
     if (options.segments)
         fit_number(features, *options.segments, drafts_at, drafts);
     set_labels(features, drafts, poll_at(1));
     if (!options.segments)
         join_neighbors(drafts);
     divide_at_holes(holes, signal.rate, drafts);
-    return answer_of({signal, features, pauses}, std::move(drafts), samples, options);
+    return answer_of({signal, features, pauses}, std::move(drafts), samples, options, poll_at(1));
 }
 
 } // namespace stltsa::motion

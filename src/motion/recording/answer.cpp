@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "linalg/simd.hpp"
+#include "motion/behaviors/likeness.hpp"
 #include "motion/curve/statistics.hpp"
 #include "motion/cycles/evidence.hpp"
 #include "motion/cycles/sides.hpp"
@@ -185,31 +186,48 @@ void append_units(Work& work, const Draft& draft, const RestKind& rest_kind) {
     }
 }
 
-/// The mean likeness of each segment to the others of its label.
-void set_likeness(Work& work, const std::vector<Draft>& drafts) {
+/// The mean likeness of each segment to the others of its label, and of labels to each other.
+void set_likeness(Work& work, const std::vector<Draft>& drafts, const std::function<void()>& poll) {
+    const Describer describe(work.features);
     std::vector<std::vector<std::size_t>> of_label;
+    std::vector<Description> done(drafts.size());
     for (std::size_t i = 0; i < drafts.size(); ++i)
         if (drafts[i].label >= 0) {
             of_label.resize(
                 std::max(of_label.size(), static_cast<std::size_t>(drafts[i].label) + 1));
             of_label[static_cast<std::size_t>(drafts[i].label)].push_back(i);
+            done[i] = describe(work.features.moments(drafts[i].rows()));
         }
-    for (const auto& members : of_label) {
+    const auto mean_likeness = [&](std::size_t of, const std::vector<std::size_t>& members) {
         const std::size_t stride = (members.size() + most_compared - 1) / most_compared;
-        for (const std::size_t i : members) {
+        std::vector<double> like;
+        for (std::size_t k = 0; k < members.size(); k += stride)
+            if (members[k] != of)
+                like.push_back(likeness(done[of], done[members[k]]));
+        return like.empty() ? none : mean_of(like);
+    };
+    const auto labels = static_cast<std::int64_t>(of_label.size());
+    work.result.label_likeness = Matrix(labels, labels);
+    for (std::int64_t a = 0; a < labels; ++a) {
+        if (poll)
+            poll();
+        for (std::int64_t b = 0; b <= a; ++b) {
+            const auto& members = of_label[static_cast<std::size_t>(a)];
+            const std::size_t stride = (members.size() + most_compared - 1) / most_compared;
             std::vector<double> like;
             for (std::size_t k = 0; k < members.size(); k += stride)
-                if (members[k] != i)
-                    like.push_back(
-                        work.features.likeness(work.features.moments(drafts[i].rows()),
-                                               work.features.moments(drafts[members[k]].rows())));
-            if (!like.empty())
-                work.result.segments[i].likeness = mean_of(like);
+                like.push_back(mean_likeness(members[k], of_label[static_cast<std::size_t>(b)]));
+            work.result.label_likeness(a, b) = work.result.label_likeness(b, a) = mean_of(like);
         }
     }
+    for (std::size_t i = 0; i < drafts.size(); ++i)
+        if (drafts[i].label >= 0)
+            work.result.segments[i].likeness =
+                mean_likeness(i, of_label[static_cast<std::size_t>(drafts[i].label)]);
 }
 
-void append_all(Work& work, std::vector<Draft>& drafts, const RestKind& rest_kind) {
+void append_all(Work& work, std::vector<Draft>& drafts, const RestKind& rest_kind,
+                const std::function<void()>& poll) {
     for (std::size_t i = 0; i < drafts.size(); ++i) {
         append_segment(work, drafts, i);
         append_units(work, drafts[i], rest_kind);
@@ -217,7 +235,7 @@ void append_all(Work& work, std::vector<Draft>& drafts, const RestKind& rest_kin
     const auto end = static_cast<double>(work.samples.rows);
     work.result.segments.back().end = end;
     work.result.units.back().end = end;
-    set_likeness(work, drafts);
+    set_likeness(work, drafts, poll);
 }
 
 /// Of the cyclic segment that lasts longest: the first cycle, and the one most like their mean.
@@ -242,7 +260,7 @@ void set_typical(Work& work) {
 } // namespace
 
 Recording answer_of(const Context& context, std::vector<Draft> drafts, ConstMatrixView samples,
-                    const Options& options) {
+                    const Options& options, const std::function<void()>& poll) {
     Work work{context.signal, context.features, samples, {}};
     double last = 0;
     for (const Draft& draft : drafts)
@@ -256,7 +274,7 @@ Recording answer_of(const Context& context, std::vector<Draft> drafts, ConstMatr
                 return UnitKind::hold;
         return begin >= last && last > 0 ? UnitKind::wind_up : UnitKind::preparing;
     };
-    append_all(work, drafts, kind_of);
+    append_all(work, drafts, kind_of, poll);
     work.result.curve = curve_of(context.signal, drafts, samples.rows);
     work.result.reason = reason_of(drafts, samples, options);
     if (!options.jump.empty() && work.result.reason.empty())

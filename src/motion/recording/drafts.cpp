@@ -408,6 +408,19 @@ void close_gaps(std::vector<Draft>& drafts) {
     }
 }
 
+/// The ranges, cut where parts begin.
+std::vector<Rows> within_parts(const std::vector<Rows>& ranges, const std::vector<Part>& parts) {
+    std::vector<Rows> cut;
+    for (const Rows& range : ranges)
+        for (const Part& part : parts) {
+            const Rows both{std::max(range.begin, part.rows.begin),
+                            std::min(range.end, part.rows.end)};
+            if (both.count() > 0)
+                cut.push_back(both);
+        }
+    return cut;
+}
+
 } // namespace
 
 Rows Draft::rows() const {
@@ -422,19 +435,17 @@ std::vector<Interval> Draft::cycles() const {
     return all;
 }
 
-const CyclicStretch* Draft::longest() const {
-    const auto found = std::ranges::max_element(
-        stretches, {}, [](const CyclicStretch& cut) { return cut.growth.run.rows(); });
-    return found == stretches.end() ? nullptr : &*found;
-}
-
 std::vector<Draft> make_drafts(const Signal& signal, const std::vector<Part>& parts,
-                               const Pauses& pauses, const std::function<void()>& poll) {
+                               const Pauses& pauses, bool of_shapes,
+                               const std::function<void()>& poll) {
     std::vector<Draft> drafts;
     for (const Part& part : parts)
         append_cyclic(signal, part, pauses.rests, drafts);
     const std::size_t cyclic = drafts.size();
-    append_motions(signal, parts, pauses, outside(drafts, signal.rows()), poll, drafts);
+    std::vector<Rows> ranges = outside(drafts, signal.rows());
+    if (of_shapes)
+        ranges = within_parts(ranges, parts);
+    append_motions(signal, parts, pauses, ranges, poll, drafts);
     for (std::size_t i = cyclic; i < drafts.size(); ++i)
         set_reason(signal, parts, drafts[i]);
     std::ranges::stable_sort(drafts, {}, &Draft::begin);

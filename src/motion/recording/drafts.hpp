@@ -30,12 +30,13 @@ struct Draft {
 
     Rows rows() const;
     std::vector<Interval> cycles() const;
-    const CyclicStretch* longest() const; ///< null: it is not cyclic
 };
 
-/// Cover all rows of the signal. `poll` is called every few milliseconds and may throw.
+/// Cover all rows of the signal. `of_shapes`: no motion continues across a border of parts. `poll`
+/// is called every few milliseconds and may throw.
 std::vector<Draft> make_drafts(const Signal& signal, const std::vector<Part>& parts,
-                               const Pauses& pauses, const std::function<void()>& poll);
+                               const Pauses& pauses, bool of_shapes,
+                               const std::function<void()>& poll);
 
 /// Sets the labels of all that moves: the same motions share one. `poll`: of group().
 void set_labels(const KernelFeatures& features, std::vector<Draft>& drafts,

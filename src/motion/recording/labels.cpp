@@ -3,45 +3,43 @@
 #include <iterator>
 
 #include "motion/behaviors/grouping.hpp"
+#include "motion/behaviors/likeness.hpp"
 #include "motion/recording/drafts.hpp"
 
 namespace stltsa::motion {
 namespace {
 
-/// Segments are one motion if the cosine of their kernel means is at least this, on the average.
-constexpr double same_behavior = 0.8;
 /// Distance of motions that are known to differ.
 constexpr double different = 1;
 
-double distance(const KernelFeatures& features, const Draft& a, const Draft& b) {
-    if (a.group >= 0 && a.group == b.group)
-        return 0;
-    if (a.kind != b.kind &&
-        (a.kind == SegmentKind::repetitions || b.kind == SegmentKind::repetitions ||
-         a.known_motion || b.known_motion))
-        return different;
-    const double apart =
-        1 - features.likeness(features.moments(a.rows()), features.moments(b.rows()));
-    const CyclicStretch *first = a.longest(), *second = b.longest();
-    if (apart <= 1 - same_behavior && first != nullptr && second != nullptr &&
-        !may_be_one(*first, *second))
-        return different;
-    return apart;
+/// Whether both may share a label: repetitions only with repetitions, because pauses tell them from
+/// other motions.
+bool may_be_same(const Draft& a, const Draft& b) {
+    const auto repeats = [](const Draft& draft) {
+        return draft.kind == SegmentKind::repetitions || draft.known_motion;
+    };
+    return a.kind == b.kind || (!repeats(a) && !repeats(b));
 }
 
 } // namespace
 
 void set_labels(const KernelFeatures& features, std::vector<Draft>& drafts,
                 const std::function<void()>& poll) {
+    const Describer describe(features);
     std::vector<Draft*> moving;
+    std::vector<Description> done;
     for (Draft& draft : drafts)
-        if (draft.kind != SegmentKind::rest)
+        if (draft.kind != SegmentKind::rest) {
             moving.push_back(&draft);
+            done.push_back(describe(features.moments(draft.rows())));
+        }
     const std::vector<int> labels = group(
         static_cast<std::int64_t>(moving.size()), 1 - same_behavior,
         [&](std::int64_t i, std::int64_t k) {
             const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(k);
-            return distance(features, *moving[a], *moving[b]);
+            if (moving[a]->group >= 0 && moving[a]->group == moving[b]->group)
+                return 0.0;
+            return may_be_same(*moving[a], *moving[b]) ? 1 - likeness(done[a], done[b]) : different;
         },
         poll);
     for (std::size_t i = 0; i < moving.size(); ++i)

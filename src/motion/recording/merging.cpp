@@ -12,6 +12,9 @@ bool moves(const Draft& draft) {
     return draft.kind != SegmentKind::rest;
 }
 
+/// A part is understood if one cyclic draft, or one of repetitions, fills this share of it.
+constexpr double mostly = 0.7;
+
 /// The draft that moves after the one at `i`, or the number of drafts.
 std::size_t next_moving(const std::vector<Draft>& drafts, std::size_t i) {
     do
@@ -42,7 +45,45 @@ Draft merged(const Draft& a, Draft b) {
     return one;
 }
 
+/// Merges the drafts from `first` to `last`.
+void merge(std::vector<Draft>& drafts, std::size_t first, std::size_t last) {
+    drafts[first] = merged(drafts[first], std::move(drafts[last]));
+    drafts.erase(drafts.begin() + static_cast<std::ptrdiff_t>(first) + 1,
+                 drafts.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+}
+
 } // namespace
+
+void merge_shapes(const KernelFeatures& features, const std::vector<Part>& parts,
+                  std::vector<Draft>& drafts) {
+    if (!features.of_shapes())
+        return;
+    const auto period = 4 * static_cast<double>(features.step());
+    const auto part_of = [&](const Draft& draft) {
+        const double middle = (draft.begin + draft.end) / 2;
+        return std::ranges::upper_bound(parts, middle, {}, [](const Part& part) {
+            return static_cast<double>(part.rows.begin);
+        });
+    };
+    std::vector<double> repeated(parts.size() + 1); // share of each part
+    for (const Draft& draft : drafts)
+        if (draft.kind == SegmentKind::cyclic || draft.kind == SegmentKind::repetitions) {
+            const auto part = part_of(draft);
+            double& share = repeated[static_cast<std::size_t>(part - parts.begin())];
+            share = std::max(share, (draft.end - draft.begin) /
+                                        static_cast<double>((part - 1)->rows.count()));
+        }
+    for (std::size_t i = 0; i < drafts.size();) {
+        const std::size_t next = next_moving(drafts, i);
+        if (repeated[static_cast<std::size_t>(part_of(drafts[i]) - parts.begin())] < mostly &&
+            moves(drafts[i]) && next < drafts.size() &&
+            drafts[next].begin - drafts[i].end < period &&
+            part_of(drafts[i]) == part_of(drafts[next]))
+            merge(drafts, i, next);
+        else
+            ++i;
+    }
+}
 
 std::int64_t moving(const std::vector<Draft>& drafts) {
     return std::ranges::count_if(drafts, moves);
@@ -63,10 +104,7 @@ void merge_to(const KernelFeatures& features, std::int64_t count, std::vector<Dr
                 best = i;
             }
         }
-        const std::size_t next = next_moving(drafts, best);
-        drafts[best] = merged(drafts[best], std::move(drafts[next]));
-        drafts.erase(drafts.begin() + static_cast<std::ptrdiff_t>(best) + 1,
-                     drafts.begin() + static_cast<std::ptrdiff_t>(next) + 1);
+        merge(drafts, best, next_moving(drafts, best));
     }
 }
 

@@ -6,6 +6,11 @@
 
 namespace stltsa::motion {
 
+/// If shapes are described, merges the motions of one part that are less than a usual period
+/// apart, unless most of the part repeats: they are pieces of one shape.
+void merge_shapes(const KernelFeatures& features, const std::vector<Part>& parts,
+                  std::vector<Draft>& drafts);
+
 /// Number of drafts that are not rests.
 std::int64_t moving(const std::vector<Draft>& drafts);
 

@@ -2,22 +2,15 @@
 #include "motion/recording/parts.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
 #include <iterator>
-#include <set>
-#include <utility>
 
-#include "linalg/simd.hpp"
 #include "motion/curve/statistics.hpp"
 #include "motion/cycles/closed_clip.hpp"
 
 namespace stltsa::motion {
 namespace {
 
-/// Neighbors are joined if their kernel means have this cosine and their cycles do not differ.
-constexpr double like_neighbors = 0.8;
 /// A stretch of less than so many periods of a longer one beside it, and of a shorter period than
 /// this share of it, is a part of it, such as one of several turns within it.
 constexpr double min_periods_beside = 1.3;
@@ -28,8 +21,6 @@ constexpr double shorter_period = 0.8;
 constexpr double beside_hole_s = 1;
 /// The same beside a rest.
 constexpr double beside_rest_s = 0.5;
-/// Time to each side of a border in which a join is judged.
-constexpr double judged_s = 60;
 
 /// Rows around the stretch that no other one has taken; empty if one has taken all of it.
 Rows free_rows(Rows part, const Stretch& stretch, const std::vector<CyclicStretch>& taken) {
@@ -138,157 +129,19 @@ Part decide(const Signal& signal, Rows rows, const StillRows& still, const Perio
     return part;
 }
 
-const CyclicStretch* first_claimed(const Part& part) {
-    const auto found = std::ranges::find_if(part.stretches, &CyclicStretch::claimed);
-    return found == part.stretches.end() ? nullptr : &*found;
-}
-
-const CyclicStretch* last_claimed(const Part& part) {
-    const auto found = std::find_if(part.stretches.rbegin(), part.stretches.rend(),
-                                    [](const CyclicStretch& cut) { return cut.claimed(); });
-    return found == part.stretches.rend() ? nullptr : &*found;
-}
-
-/// Joins neighboring parts of one behavior, the most alike first.
-class Joiner {
-  public:
-    Joiner(const Signal& signal, const KernelFeatures& features, const StillRows& still,
-           const PeriodRange& periods, RowProgress& progress, std::vector<Part>& parts)
-        : signal_(signal), features_(features), still_(still), periods_(periods),
-          progress_(progress), parts_(parts) {}
-
-    /// In rounds, in each of which a part is joined once at most. A join is judged near its border,
-    /// and what was joined is tracked as a whole at the end: the time stays linear.
-    void run() {
-        for (bool joined = true; joined;) {
-            joined = false;
-            for (const std::int64_t row : candidates())
-                joined = try_join(row) || joined;
-        }
-        for (Part& part : parts_)
-            if (partial_.contains(part.rows.begin))
-                track_whole(part);
-    }
-
-  private:
-    /// First rows of the parts to join with those before, the most alike first, each pair once.
-    std::vector<std::int64_t> candidates() {
-        std::vector<std::pair<double, std::int64_t>> found;
-        for (std::size_t i = 1; i < parts_.size(); ++i) {
-            const Rows a = parts_[i - 1].rows, b = parts_[i].rows;
-            if (parts_[i - 1].is_hole || parts_[i].is_hole)
-                continue;
-            if (tried_.contains({a.begin, b.begin, b.end}))
-                continue;
-            const double like = features_.likeness(features_.moments(a), features_.moments(b));
-            if (like < like_neighbors)
-                continue;
-            const CyclicStretch* before = last_claimed(parts_[i - 1]);
-            const CyclicStretch* after = first_claimed(parts_[i]);
-            const bool both = before != nullptr && after != nullptr;
-            if (!both || may_follow(*before, *after))
-                found.emplace_back(like + (both ? 1 : 0), b.begin);
-        }
-        std::ranges::stable_sort(found, std::greater<>(), &std::pair<double, std::int64_t>::first);
-        std::vector<std::int64_t> rows;
-        joined_.clear();
-        for (const auto& candidate : found)
-            rows.push_back(candidate.second);
-        return rows;
-    }
-
-    /// Joins the part that begins at the row with the one before, unless one of them has just been
-    /// joined.
-    bool try_join(std::int64_t row) {
-        const auto part =
-            std::ranges::find(parts_, row, [](const Part& p) { return p.rows.begin; });
-        const auto before = part - 1;
-        if (joined_.contains(before->rows.begin) || joined_.contains(row))
-            return false;
-        tried_.insert({before->rows.begin, row, part->rows.end});
-        const auto reach = static_cast<std::int64_t>(judged_s * signal_.rate);
-        const Rows around = {std::max(before->rows.begin, row - reach),
-                             std::min(part->rows.end, row + reach)};
-        Part near = decide(signal_, around, still_, periods_, progress_);
-        if (!keeps(*before, *part, near))
-            return false;
-        if (around.begin > before->rows.begin || around.end < part->rows.end ||
-            partial_.contains(before->rows.begin) || partial_.contains(row)) {
-            partial_.insert(before->rows.begin);
-            append(*before, std::move(*part));
-        } else {
-            *before = std::move(near);
-        }
-        joined_.insert(before->rows.begin);
-        parts_.erase(part);
-        return true;
-    }
-
-    static void append(Part& part, Part&& after) {
-        part.rows.end = after.rows.end;
-        if (after.best_match > part.best_match) {
-            part.best_match = after.best_match;
-            part.best_lag_s = after.best_lag_s;
-        }
-        std::ranges::move(after.stretches, std::back_inserter(part.stretches));
-    }
-
-    void track_whole(Part& part) {
-        Part whole = decide(signal_, part.rows, still_, periods_, progress_);
-        if (whole.cycles().size() >= part.cycles().size())
-            part = std::move(whole);
-    }
-
-    /// Whether a join loses no cycle, and the motion runs on over the border. `near`: the rows
-    /// around the border; cycles nearer to where they were cut off do not count.
-    bool keeps(const Part& a, const Part& b, const Part& near) const {
-        const auto border = static_cast<double>(b.rows.begin);
-        const double away = judged_s * signal_.rate / 2;
-        const double first = near.rows.begin > a.rows.begin ? border - away : 0;
-        const double last =
-            near.rows.end < b.rows.end ? border + away : static_cast<double>(b.rows.end);
-        const auto count = [&](const Part& part) {
-            return std::ranges::count_if(part.cycles(), [&](const Interval& cycle) {
-                const double middle = (cycle.begin + cycle.end) / 2;
-                return middle >= first && middle <= last;
-            });
-        };
-        bool across = false, run_on = false;
-        for (const CyclicStretch& cut : near.stretches) {
-            if (!cut.claimed() || static_cast<double>(cut.growth.run.begin) >= border ||
-                static_cast<double>(cut.growth.run.end()) <= border)
-                continue;
-            across = true;
-            run_on = run_on || std::ranges::any_of(cut.cycles(), [&](const Interval& cycle) {
-                         return cycle.begin < border + cycle.length() / 2 &&
-                                cycle.end > border - cycle.length() / 2;
-                     });
-        }
-        const auto before = count(a), after = count(b), now = count(near);
-        if (before + after == 0)
-            return now == 0 || across;
-        return now >= before + after && (run_on || before == 0 || after == 0);
-    }
-
-    const Signal& signal_;
-    const KernelFeatures& features_;
-    const StillRows& still_;
-    const PeriodRange& periods_;
-    RowProgress& progress_;
-    std::vector<Part>& parts_;
-    std::set<std::array<std::int64_t, 3>> tried_;
-    std::set<std::int64_t> joined_;  ///< first rows of the parts joined in this round
-    std::set<std::int64_t> partial_; ///< and of those whose cycles are those of their pieces
-};
-
-/// A border beside a rest lies at the end of the rest: a motion that speeds up or slows down is not
+/// A border beside a rest lies at its nearest end: a motion that speeds up or slows down is not
 /// another behavior.
 std::int64_t moved_to_rest(const Signal& signal, const std::vector<Rows>& rests, std::int64_t row) {
     const auto reach = static_cast<std::int64_t>(beside_rest_s * signal.rate);
-    for (const Rows& rest : rests)
-        if (row >= rest.begin - reach && row <= rest.end + reach)
-            return std::clamp(row, rest.begin, rest.end);
-    return row;
+    std::int64_t nearest = row, least = reach + 1;
+    for (auto rest = std::ranges::lower_bound(rests, row - reach, {}, &Rows::end);
+         rest != rests.end() && rest->begin <= row + reach; ++rest)
+        if (const std::int64_t at = std::clamp(row, rest->begin, rest->end);
+            std::abs(at - row) < least) {
+            nearest = at;
+            least = std::abs(at - row);
+        }
+    return nearest;
 }
 
 /// The parts without their cycles. The rows between a hole and a border of behaviors next to it are
@@ -298,7 +151,7 @@ std::vector<Part> undecided(const Signal& signal, const Borders& borders,
     std::vector<std::int64_t> rows{0};
     if (borders.features != nullptr)
         for (const std::int64_t row :
-             behavior_borders(signal, *borders.features, borders.price, progress.poll()))
+             behavior_borders(*borders.features, borders.price, progress.poll()))
             rows.push_back(moved_to_rest(signal, rests, row));
     rows.push_back(signal.rows());
     const auto beside = static_cast<std::int64_t>(beside_hole_s * signal.rate);
@@ -329,7 +182,7 @@ double gain_of(const KernelFeatures& features, Rows before, Rows after) {
         return 0;
     return features.gain(before.begin / step, begin,
                          std::max(begin + 1, std::min(after.end / step, features.count()))) /
-           border_price;
+           border_price(features);
 }
 
 } // namespace
@@ -350,8 +203,6 @@ std::vector<Part> divide(const Signal& signal, const Borders& borders, const Sti
         parts.push_back(part.is_hole ? part : decide(signal, part.rows, still, periods, reported));
     if (borders.features == nullptr)
         return parts;
-    if (borders.price >= border_price)
-        Joiner(signal, *borders.features, still, periods, reported, parts).run();
     for (std::size_t i = 1; i < parts.size(); ++i)
         if (!parts[i - 1].is_hole && !parts[i].is_hole)
             parts[i].gain = gain_of(*borders.features, parts[i - 1].rows, parts[i].rows);

@@ -27,7 +27,7 @@ struct Part {
 /// The borders that divide a recording.
 struct Borders {
     const KernelFeatures* features = nullptr; ///< null: not divided by behavior
-    /// Price of a border; if it is below border_price, borders within one behavior are kept.
+    /// Price of a border; if it is below border_price(), borders within one behavior are kept.
     double price = 0;
     /// In ascending order, disjoint. Each is a separate part without cycles, so that the rows on
     /// one side of a hole get the result that they would get alone.

@@ -109,6 +109,9 @@ struct Options {
     /// known, those of points depend on names and layout.
     bool begin_with_side = true;
     std::vector<Hole> holes; ///< ascending
+    /// Rotations of the joints, samples x columns, by which behaviors are told apart as well;
+    /// empty: none.
+    Matrix rotations;
     // For messages only.
     std::string jump; ///< where the pose jumps; empty: nowhere
     double jump_s = no_time;
@@ -136,6 +139,7 @@ struct Recording {
     std::vector<Cycle> cycles;
     std::vector<Step> steps;
     std::vector<Repetition> repetitions;
+    Matrix label_likeness; ///< labels x labels: mean over pairs of their segments; NaN: no pair
     std::int64_t representative = -1; ///< of the longest cyclic segment: its first cycle
     std::int64_t best = -1;           ///< and the one most like its mean cycle
     std::string reason;               ///< why nothing repeats; empty if something does

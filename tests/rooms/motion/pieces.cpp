@@ -7,6 +7,7 @@
 #include "motion/behaviors/behaviors.hpp"
 #include "motion/behaviors/change_points.hpp"
 #include "motion/behaviors/grouping.hpp"
+#include "motion/behaviors/likeness.hpp"
 #include "motion/behaviors/repetitions.hpp"
 #include "motion/cycles/least_squares.hpp"
 #include "motion/cycles/phase_curve.hpp"
@@ -70,16 +71,18 @@ void behaviors_are_divided_where_they_change(void**) {
     const Matrix samples = Recorder().cycles(15, 1, 0).cycles(15, 1, 3).cycles(15, 1, 6).samples();
     const Signal signal = make_signal(samples.view(), fps, 0, 0);
     const KernelFeatures features(signal);
-    const auto borders = change_points(features, border_price);
+    const auto borders = change_points(features, border_price(features));
     assert_int_equal(borders.size(), 2);
     ASSERT_NEAR(static_cast<double>(borders[0]), 150, 4);
     ASSERT_NEAR(static_cast<double>(borders[1]), 300, 4);
-    assert_true(features.gain(0, 150, 300) > 2 * border_price);
-    assert_true(features.likeness({0, 70}, {70, 140}) > 0.9);
-    assert_true(features.likeness({0, 140}, {160, 290}) < 0.5);
+    assert_true(features.gain(0, 150, 300) > 2 * border_price(features));
+    const Describer describe(features);
+    assert_true(likeness(describe({0, 70}), describe({70, 140})) > 0.9);
+    assert_true(likeness(describe({0, 140}), describe({160, 290})) < 0.5);
     const Matrix one = Recorder().cycles(300, 1, 0).samples();
     assert_true(
-        change_points(KernelFeatures(make_signal(one.view(), fps, 0, 0)), border_price).empty());
+        change_points(KernelFeatures(make_signal(one.view(), fps, 0, 0)), border_price(features))
+            .empty());
 }
 
 void the_period_is_tracked(void**) {
@@ -206,9 +209,9 @@ void steps_of_long_recordings_poll(void**) {
     check_polls(12, [&] { signal = make_signal(samples.view(), fps, 0, 0, progress); });
     const KernelFeatures features(signal);
     std::vector<std::int64_t> borders;
-    check_polls(30, [&] { KernelFeatures(signal, poll); });
-    check_polls(7, [&] { borders = change_points(features, border_price, poll); });
-    check_polls(300, [&] { behavior_borders(signal, features, border_price, poll); });
+    check_polls(30, [&] { KernelFeatures(signal, {}, poll); });
+    check_polls(7, [&] { borders = change_points(features, border_price(features), poll); });
+    check_polls(150, [&] { behavior_borders(features, border_price(features), poll); });
     check_polls(36, [&] { track_period(signal, {0, signal.rows()}, {}, poll); });
     check_polls(1000, [&] {
         group(
@@ -227,10 +230,10 @@ void drafts_poll_between_repetitions(void**) {
     const KernelFeatures features(signal);
     const auto rests = find_rests(signal);
     const Pauses pauses = find_pauses(signal, rests);
-    const auto parts =
-        divide(signal, {&features, border_price, {}}, {rests, pauses.rests}, {}, Progress());
+    const auto parts = divide(signal, {&features, border_price(features), {}},
+                              {rests, pauses.rests}, {}, Progress());
     int polls = 0;
-    const auto drafts = make_drafts(signal, parts, pauses, [&] { ++polls; });
+    const auto drafts = make_drafts(signal, parts, pauses, false, [&] { ++polls; });
     assert_true(std::ranges::any_of(drafts, [](const Draft& draft) {
         return draft.kind == SegmentKind::repetitions && draft.motions.size() == 40;
     }));

@@ -324,6 +324,27 @@ class Decomposition(Described):
         return table(self._rows(result), Summary)
 
     @property
+    def label_likeness(self) -> FloatArray:
+        """How similar the segments of two labels are, 0 to 1: shape (labels, labels), symmetric.
+
+        The mean over pairs of their segments, at most 24 of each label, in order of labels. It
+        compares the postures, the speeds, and which parts of the body move together; moderate
+        differences in size and tempo change it little. Segments whose mean likeness is at least
+        about 0.65 share a label, except repetitions. NaN for a label with itself if only one
+        segment has it.
+        """
+        raw, out = ffi.new("stltsa_segment *"), ffi.new("double *")
+        labels = 0
+        for index in range(lib.stltsa_decomposition_segment_count(self._handle)):
+            check(lib.stltsa_decomposition_segment(self._handle, index, raw))
+            labels = max(labels, raw.label + 1)
+        result = np.empty((labels, labels))
+        for label, other in np.ndindex(result.shape):
+            check(lib.stltsa_decomposition_label_likeness(self._handle, label, other, out))
+            result[label, other] = out[0]
+        return result
+
+    @property
     def statistics(self) -> DataFrame:
         """Times, ways, strides, speeds and turns of cycles, steps and repetitions, as a table.
 

@@ -2146,6 +2146,14 @@ extern "C" {
     ) -> *const ::std::os::raw::c_char;
 }
 extern "C" {
+    pub fn stltsa_decomposition_label_likeness(
+        decomposition: *const stltsa_decomposition,
+        label: i32,
+        other: i32,
+        likeness: *mut f64,
+    ) -> stltsa_status;
+}
+extern "C" {
     pub fn stltsa_decomposition_first_step(
         decomposition: *const stltsa_decomposition,
         segment: i64,

@@ -249,6 +249,27 @@ impl Decomposition {
         }))
     }
 
+    /// How similar the segments of two labels are, 0 to 1: the mean over pairs of their segments.
+    /// Moderate differences in size and tempo change it little. `None` if `label` is `other` and
+    /// only one segment has it.
+    ///
+    /// # Errors
+    /// [`Status::Argument`](crate::Status) if a label is out of range.
+    pub fn label_likeness(&self, label: usize, other: usize) -> Result<Option<f64>> {
+        let of = |label| i32::try_from(label).unwrap_or(-1);
+        let mut likeness = f64::NAN;
+        // SAFETY: a live handle; a number, which the call sets.
+        check(unsafe {
+            sys::stltsa_decomposition_label_likeness(
+                self.raw(),
+                of(label),
+                of(other),
+                &mut likeness,
+            )
+        })?;
+        Ok(number(likeness))
+    }
+
     /// How often and how fast, for each label that repeats.
     ///
     /// # Errors

@@ -60,6 +60,8 @@ fn a_recording_has_segments_steps_and_a_summary() {
     let turn = found.statistics(PartKind::Cycle, 0, None, Quantity::Turn).unwrap().unwrap();
     assert_eq!((turn.count, turn.cv), (3, None));
     assert_eq!(found.statistics(PartKind::Repetition, 0, None, Quantity::Way).unwrap(), None);
+    assert_eq!(found.label_likeness(0, 0).unwrap(), None);
+    assert!(found.label_likeness(0, 9).is_err());
     let summary = found.summary().unwrap();
     assert_eq!((summary.len(), summary[0].label, summary[0].count), (1, 0, 3));
     assert!((summary[0].mean - found.info().period.unwrap()).abs() < 0.1);

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the curves of few columns look like, where windowed means and deviations say too little: two
+// shapes may have both in common.
+#pragma once
+
+#include <functional>
+
+#include "linalg/matrix.hpp"
+
+namespace stltsa::motion {
+
+struct Shapes {
+    Matrix rows;           ///< every step-th of the poses x at most 12 principal directions
+    std::int64_t step = 1; ///< a quarter of the usual period, at least 1
+};
+
+/// The share of time in which each of some convolutions is above a quantile, in a Gaussian window
+/// of 1.5 periods (random convolutions: Dempster, Schmidt, Webb, KDD 2021). They are the same on
+/// every run. No rows if there are fewer than 128 poses.
+Shapes make_shapes(ConstMatrixView poses, const std::function<void()>& poll);
+
+} // namespace stltsa::motion
