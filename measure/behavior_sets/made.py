@@ -29,6 +29,9 @@ def judge_all(run, recording, limits, turns=False):
     judge(run, recording, path, limits, options, turns=turns)
     rows = (run.stltsa.read_clip(str(path)).features() if recording.body else recording.rows)
     change_points(run, recording, rows)
+    motions = sum(part.moving for part in recording.parts)
+    judge(run, recording, path, (None, None, None), [*options, "--segments", motions], "number given: ")
+    change_points(run, recording, rows, motions - 1, "number given: ")
 
 
 def mixtures(run):

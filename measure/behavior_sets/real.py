@@ -58,3 +58,4 @@ def imu(run):
             run.row("trials with a border in the turn", 0.5).add(build, bool(turn), 1)
             run.note(build, False, path, f"{found}; true {true}")
         change_points(run, recording, numbers)
+        change_points(run, recording, numbers, len(true), "number given: ")

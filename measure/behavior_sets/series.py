@@ -1,27 +1,57 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The Time Series Segmentation Benchmark: univariate series, scored by covering."""
+"""The Time Series Segmentation Benchmark: univariate series, scored by covering, beside ClaSP and
+change points of ruptures. The two series that aeon ships are read from its package; the others from
+the folder of the benchmark."""
+
+import importlib.util
+import pathlib
 
 import numpy as np
 
-
 RATE = 30  # the library decimates only above
+SHIPPED = {"ElectricDevices": (1090, 4436, 5712, 7923), "GunPoint": (900,)}  # by aeon
 
 
 def benchmark(run):
-    folder = run.options.series
-    if folder is None:
-        print("    no benchmark of single series (give --series DIR)")
-        return
-    lines = (folder / "desc.txt").read_text().splitlines()
-    for _, line in run.half(lines):
-        name, _, *borders = line.split(",")
-        borders = [int(float(b)) for b in borders]
-        values = np.loadtxt(folder / f"{name}.txt")
+    found = list(series_of(run.options.series))
+    if not found:
+        print("    no series (give --series DIR, or --peers)")
+    for _, (name, values, true) in run.half(found):
         path = run.table(name, values[:, None])
         for build, answer in run.ask(path, "--fps", RATE):
-            found = [s["begin"] for s in answer["segments"][1:]]
-            run.row("covering", 0.8).add(build, covering(borders, found, len(values)), 1)
-            run.note(build, False, path, f"{found} for {borders} of {len(values)}")
+            borders = [s["begin"] for s in answer["segments"][1:]]
+            run.row("covering", 0.8).add(build, covering(true, borders, len(values)), 1)
+            run.note(build, False, path, f"{borders} for {true} of {len(values)}")
+        for peer, segment in PEERS.items():
+            if importlib.util.find_spec(peer):
+                run.row(f"covering: {peer} alone").add(-1, covering(true, segment(values), len(values)), 1)
+
+
+def series_of(folder):
+    """(name, values, borders) of each series."""
+    if folder:
+        for line in (folder / "desc.txt").read_text().splitlines():
+            name, _, *borders = line.split(",")
+            yield name, np.loadtxt(folder / f"{name}.txt"), [int(float(b)) for b in borders]
+    elif spec := importlib.util.find_spec("aeon"):
+        for name, borders in SHIPPED.items():
+            data = pathlib.Path(spec.origin).parent / "datasets" / "data" / "segmentation"
+            yield name, np.loadtxt(data / f"{name}.csv", delimiter=",", usecols=-1), list(borders)
+
+
+def clasp(values):
+    from claspy.segmentation import BinaryClaSPSegmentation
+    return [int(at) for at in BinaryClaSPSegmentation().fit_predict(values)]
+
+
+def change_points(values):
+    import ruptures
+    step = max(1, len(values) // 2000)  # its time is quadratic
+    fitted = ruptures.KernelCPD(kernel="rbf", min_size=10).fit(values[::step])
+    return [step * at for at in fitted.predict(pen=np.log(len(values)))[:-1]]
+
+
+PEERS = {"claspy": clasp, "ruptures": change_points}
 
 
 def covering(true, found, length):
