@@ -203,7 +203,7 @@ def test_cycles(result, many):
 def test_cycles_on_both_sides_of_a_gap():
     turns = 2 * np.pi * np.arange(900) / 66
     cycle = np.stack([np.sin(turns) + 0.2 * np.sin(2 * turns), np.cos(turns), np.sin(turns + 1)], 1)
-    along = np.linspace(0, 1, 40)[:, None]
+    along = np.linspace(0, 1, 32)[:, None]
     other = cycle[-1] + [0, 1.5, 1] * np.sin(np.pi * along * [0, 1, 2])
     result = stltsa.decompose(np.concatenate([cycle, other, cycle]), fps=60)
     found = result.cycle_list
