@@ -254,7 +254,7 @@ impl Decomposition {
     /// only one segment has it.
     ///
     /// # Errors
-    /// [`Status::Argument`](crate::Status) if a label is out of range.
+    /// [`Argument`](crate::ErrorKind::Argument) if a label is out of range.
     pub fn label_likeness(&self, label: usize, other: usize) -> Result<Option<f64>> {
         let of = |label| i32::try_from(label).unwrap_or(-1);
         let mut likeness = f64::NAN;
