@@ -236,7 +236,7 @@ double preference_for(const Signal& signal, const Growth& growth, double margin)
     });
     for (std::int64_t c = 0; c < signal.directions.rows(); ++c) {
         const double rise = dot(mean.data(), signal.directions.row(c), signal.cols());
-        const double weight = 1 + fixed_weight(c);
+        const double weight = 1 + fixed_weight(static_cast<std::size_t>(c));
         sum += weight * rise * std::abs(rise);
         count += weight * rise * rise;
     }
