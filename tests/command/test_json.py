@@ -30,6 +30,40 @@ def npy_clip():
     return path
 
 
+def arm_that_swings(name, channels, twist):
+    """A trunk, an arm, and a hand with these channels; twist(t) sets the last ones of the hand."""
+    joints = [("JOINT arm", "20 50 0", "Zrotation Xrotation Yrotation"), ("JOINT hand", "30 0 0", channels)]
+    head = "HIERARCHY\nROOT trunk\n{\nOFFSET 0 0 0\nCHANNELS 3 Xposition Yposition Zposition\n"
+    for joint, offset, own in joints:
+        head += f"{joint}\n{{\nOFFSET {offset}\nCHANNELS {len(own.split())} {own}\n"
+    head += "End Site\n{\nOFFSET 10 0 0\n}\n" + "}\n" * 3
+    rows = [[0, 100, 0, 30 * math.sin(turn), 20 * math.cos(turn), 0, *twist(i / 30)]
+            for i, turn in enumerate(2 * math.pi * k / 30 for k in range(1800))]
+    path = CLIPS / name
+    path.write_text(head + f"MOTION\nFrames: {len(rows)}\nFrame Time: 0.0333333\n"
+                    + "".join(" ".join(f"{value:.4f}" for value in row) + "\n" for row in rows))
+    return path
+
+
+class Behaviors(CommandTest):
+    def test_rotations_that_move_no_joint_tell_behaviors_apart(self):
+        def hand(t):
+            return (90 * math.sin(math.pi * t) if t >= 30 else 0,)
+
+        found = self.json("decompose", arm_that_swings("twist.bvh", "Xrotation", hand))
+        self.assertEqual([s["label"] for s in found["segments"]], ["A", "B"])
+        self.assertAlmostEqual(found["segments"][1]["begin_s"], 30, delta=0.5)
+        (one, between), (_, other) = found["label_likeness"]
+        self.assertEqual((one, other), (None, None))
+        self.assertLess(between, 0.65)
+
+    def test_joints_that_only_move(self):
+        path = arm_that_swings("moved.bvh", "Xposition Yposition Zposition", lambda t: (30, 0, 0))
+        lines = path.read_text().replace("Zrotation Xrotation Yrotation", "Xposition Yposition Zposition")
+        path.write_text(lines)
+        self.assertEqual(len(self.json("decompose", path)["segments"]), 1)
+
+
 class Schemas(CommandTest):
     def check(self, command, *arguments, status=0):
         result = run(command, *arguments, "--json")

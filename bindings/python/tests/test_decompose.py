@@ -122,7 +122,7 @@ def test_array_without_rate_is_decomposed_in_frames(result, clip):
     assert len(found.cycles) == len(result.cycles)
     assert 4 * found.period_frames == pytest.approx(result.period_frames, abs=1)
     assert result.period_frames == pytest.approx(result.period * 120)
-    assert np.abs(4 * np.array(found.cycles["begin"]) - result.cycles["begin"]).max() <= 4
+    assert np.abs(4 * np.array(found.cycles["begin"]) - result.cycles["begin"]).max() <= 3
     for table in (found.units, found.cycles, found.segments):
         assert np.isnan(table[["begin_s", "end_s", "duration_s"]]).all(axis=None)
     assert np.isnan(found.period)

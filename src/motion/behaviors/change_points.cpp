@@ -2,7 +2,6 @@
 #include "motion/behaviors/change_points.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "base/progress.hpp"

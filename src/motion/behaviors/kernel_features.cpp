@@ -20,8 +20,7 @@ namespace {
 /// moves loses 13 of 772 cycles (measure/cycles).
 constexpr std::int64_t few_columns = 2;
 constexpr double moments_per_second = 10;
-/// Deviation of the Gaussian window of the statistics; a velocity counts as the change in this
-/// time.
+/// Sigma of the Gaussian window of the statistics; a velocity counts as the change in this time.
 constexpr double statistics_window_s = 0.45;
 /// Squared distance at which the kernel has fallen to 1/e: the median distance, but at least this
 /// share of the total variance. Without that limit, one long motion is cut where nothing changes.
@@ -29,6 +28,7 @@ constexpr double least_bandwidth = 0.3;
 constexpr std::int64_t distances_sampled = 400;
 /// Between 40 and 240 landmarks give the same borders as the exact kernel.
 constexpr std::int64_t most_landmarks = 120;
+/// Smaller shares of the largest eigenvalue, and of a column's part in the directions, are 0.
 constexpr double rounding = 1e-6;
 
 /// `count` rows, evenly in time.
@@ -94,11 +94,11 @@ KernelFeatures::KernelFeatures(const Signal& signal, const Matrix& beside,
             poses_ = std::move(shapes.rows);
         }
     }
-    rate_ = signal.rate / static_cast<double>(step_);
     if (!of_shapes_) {
         poses_ = even_poses(signal, beside, step_, poll);
-        const Matrix x = with_velocities(poses_.view(), rate_, statistics_window_s);
-        statistics = windowed(x.view(), statistics_window_s * rate_, 1, poll);
+        const double rate = signal.rate / static_cast<double>(step_);
+        const Matrix x = with_velocities(poses_.view(), rate, statistics_window_s);
+        statistics = windowed(x.view(), statistics_window_s * rate, poll);
         least = least_bandwidth * total_variance(x.view());
     }
     const double bandwidth = std::max(median_distance(statistics), least);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the body does around each moment, as vectors whose products are a Gaussian kernel (Nystroem
 // features: Williams, Seeger, NIPS 2000) of the windowed means and deviations of poses and
-// velocities. Sums over time are kept, so that a range costs the same whatever its length.
+// velocities, or of shapes if there are few columns. Sums over time are kept, so that a range costs
+// the same whatever its length.
 #pragma once
 
 #include <functional>
@@ -25,7 +26,6 @@ class KernelFeatures {
     /// Number of moments; moment i is row i * step() of the signal.
     std::int64_t count() const { return sums_.rows() - 1; }
     std::int64_t step() const { return step_; }
-    double rate() const { return rate_; } ///< moments a second
 
     /// The moments of rows of the signal, at least one.
     Rows moments(Rows rows) const;
@@ -45,7 +45,6 @@ class KernelFeatures {
     Matrix poses_;
     bool of_shapes_ = false;
     std::int64_t step_ = 1;
-    double rate_ = 0;
     Matrix sums_;                 ///< (moments + 1) x features
     std::vector<double> squares_; ///< running sum of squared lengths
 };

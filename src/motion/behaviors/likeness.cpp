@@ -12,12 +12,9 @@ namespace {
 
 /// Covariances of moments that are 0 to 4 apart.
 constexpr std::int64_t lags = 5;
-/// At most this many moments are left out at each end, where motions blend.
-constexpr std::int64_t most_away = 3;
 
-/// Squared distance of shapes, which are shares of time, at which their likeness is 1/e: one shape
-/// up to 0.03. Pieces of a sine with noise are up to 0.02 apart, those of one whose size changes
-/// 0.04.
+/// Squared distance of shapes, which are shares of time, at which their likeness is 1/e. They are
+/// one up to 0.03: otherwise a sine with a little noise would be divided.
 constexpr double unlike_shapes = 0.07;
 
 void normalize(std::vector<double>& values) {
@@ -52,11 +49,10 @@ Description Describer::operator()(Rows moments) const {
     normalize(found.kernel);
     const std::int64_t p = velocities_.cols();
     found.moving.resize(lags * static_cast<std::size_t>(p * p));
-    const std::int64_t away = std::min(most_away, moments.count() / 4);
     for (std::int64_t lag = 0; lag < lags; ++lag) {
         double* sums = found.moving.data() + lag * p * p;
-        const std::int64_t count = moments.count() - 2 * away - lag;
-        for (std::int64_t i = moments.begin + away; i < moments.begin + away + count; ++i)
+        const std::int64_t count = moments.count() - lag;
+        for (std::int64_t i = moments.begin; i < moments.begin + count; ++i)
             for (std::int64_t c = 0; c < p; ++c)
                 axpy(velocities_(i, c) / static_cast<double>(count), velocities_.row(i + lag),
                      sums + c * p, p);

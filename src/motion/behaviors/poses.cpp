@@ -12,7 +12,7 @@
 namespace stltsa::motion {
 namespace {
 
-/// Directions are divided by their deviation to this power.
+/// Each direction is divided by its standard deviation to this power.
 constexpr double evened = 0.5;
 constexpr std::int64_t most_directions = 16;
 /// The directions contain this share of the variance; the others would be amplified noise.
@@ -80,13 +80,12 @@ Matrix with_velocities(ConstMatrixView poses, double rate, double seconds) {
     return both;
 }
 
-Matrix windowed(ConstMatrixView x, double sigma, std::int64_t step,
-                const std::function<void()>& poll) {
+Matrix windowed(ConstMatrixView x, double sigma, const std::function<void()>& poll) {
     Matrix squares = copied(x);
     for (std::int64_t i = 0; i < x.rows * x.cols; ++i)
         squares.data()[i] *= squares.data()[i];
-    const Matrix mean = gaussian_smoothed(x, sigma, Beyond::nothing, step, poll);
-    const Matrix square = gaussian_smoothed(squares.view(), sigma, Beyond::nothing, step, poll);
+    const Matrix mean = gaussian_smoothed(x, sigma, Beyond::nothing, 1, poll);
+    const Matrix square = gaussian_smoothed(squares.view(), sigma, Beyond::nothing, 1, poll);
     Matrix result(mean.rows(), 2 * x.cols);
     for (std::int64_t i = 0; i < mean.rows(); ++i)
         for (std::int64_t c = 0; c < x.cols; ++c) {

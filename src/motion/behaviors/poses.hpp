@@ -19,9 +19,8 @@ Matrix even_poses(const Signal& signal, const Matrix& beside, std::int64_t step,
 /// `rate`: rows a second.
 Matrix with_velocities(ConstMatrixView poses, double rate, double seconds);
 
-/// The mean and the deviation of each column around every step-th row, in a Gaussian window of
-/// `sigma` rows: first the means, then the deviations.
-Matrix windowed(ConstMatrixView x, double sigma, std::int64_t step,
-                const std::function<void()>& poll);
+/// The mean and the standard deviation of each column around each row, in a Gaussian window of
+/// `sigma` rows: rows x 2 columns, first the means.
+Matrix windowed(ConstMatrixView x, double sigma, const std::function<void()>& poll);
 
 } // namespace stltsa::motion

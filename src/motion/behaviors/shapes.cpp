@@ -17,11 +17,10 @@ namespace stltsa::motion {
 namespace {
 
 constexpr int convolutions = 120;
-constexpr std::int64_t lengths[] = {7, 9, 11};
+constexpr std::int64_t length = 9; ///< of each
 constexpr double pooled_periods = 1.5;
-/// At least so many rows of a period are kept, and smoothed before by this share of their distance.
+/// At least this many rows of a period are kept: long periods need fewer.
 constexpr std::int64_t rows_of_period = 32;
-constexpr double thinning_sigma = 0.3;
 /// Of the features, these principal directions are kept.
 constexpr std::int64_t most_directions = 12;
 /// The usual period: the first peak of the autocorrelation that is nearly as high as the highest.
@@ -75,7 +74,7 @@ std::int64_t usual_period(ConstMatrixView poses, const std::function<void()>& po
 /// Each value less its local mean, divided by its local standard deviation.
 Matrix standardized(ConstMatrixView poses, double sigma, const std::function<void()>& poll) {
     constexpr double rounding = 1e-6;
-    const Matrix around = windowed(poses, sigma, 1, poll);
+    const Matrix around = windowed(poses, sigma, poll);
     const double least = rounding * std::sqrt(total_variance(poses));
     Matrix result(poses.rows, poses.cols);
     for (std::int64_t i = 0; i < poses.rows; ++i)
@@ -98,7 +97,6 @@ std::vector<double> mixture(const Matrix& x, Random& random) {
 
 /// Convolves with random dilated weights of mean 0; beyond the ends, values count as 0.
 std::vector<double> convolved(const std::vector<double>& x, std::int64_t period, Random& random) {
-    const std::int64_t length = lengths[static_cast<std::size_t>(3 * share(random))];
     const double widest =
         std::max(2.0, 2 * static_cast<double>(period) / static_cast<double>(length));
     const auto apart = static_cast<std::int64_t>(std::pow(widest, share(random)));
@@ -148,15 +146,13 @@ Shapes make_shapes(ConstMatrixView poses, const std::function<void()>& poll) {
     Shapes shapes;
     if (poses.cols == 0 || poses.rows < periods_at_least * shortest_period)
         return shapes;
-    // Long periods need fewer rows.
     const std::int64_t full = usual_period(poses, poll);
     const std::int64_t thinned = std::max<std::int64_t>(1, full / rows_of_period);
-    const std::int64_t period = full / thinned, step = std::max<std::int64_t>(1, period / 4);
+    const std::int64_t period = full / thinned,
+                       step = std::max<std::int64_t>(1, period / moments_of_period);
     shapes.step = thinned * step;
     const auto sigma = static_cast<double>(period);
-    const Matrix kept =
-        gaussian_smoothed(poses, thinned > 1 ? thinning_sigma * static_cast<double>(thinned) : 0,
-                          Beyond::nothing, thinned, poll);
+    const Matrix kept = gaussian_smoothed(poses, 0, Beyond::nothing, thinned, poll);
     const Matrix x = standardized(kept.view(), sigma, poll);
     Random random(1);
     Matrix above(x.rows(), 1), rows;

@@ -9,9 +9,12 @@
 
 namespace stltsa::motion {
 
+/// Moments in a usual period.
+inline constexpr std::int64_t moments_of_period = 4;
+
 struct Shapes {
-    Matrix rows;           ///< every step-th of the poses x at most 12 principal directions
-    std::int64_t step = 1; ///< a quarter of the usual period, at least 1
+    Matrix rows;           ///< moments x at most 12 principal directions
+    std::int64_t step = 1; ///< poses from one moment to the next
 };
 
 /// The share of time in which each of some convolutions is above a quantile, in a Gaussian window

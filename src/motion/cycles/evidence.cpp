@@ -23,7 +23,8 @@ constexpr double of_mismatch = -0.82;
 constexpr double min_deviation = 0.01;
 constexpr double min_mismatch = 0.02;
 /// The logistic regression for borders beside no, one and two single actions, on the logarithm of
-/// the gain. Most of the last are in noise and sway, which are divided somewhere.
+/// the gain. Beside one action, the gain says nothing. Borders between two actions are mostly in
+/// noise and sway, where any border is arbitrary.
 struct LogisticOfGain {
     double base, slope;
 };

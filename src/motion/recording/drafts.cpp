@@ -408,15 +408,16 @@ void close_gaps(std::vector<Draft>& drafts) {
     }
 }
 
-/// The ranges, cut where parts begin.
+/// The ranges, cut where parts begin. Both are ascending; the parts cover all rows.
 std::vector<Rows> within_parts(const std::vector<Rows>& ranges, const std::vector<Part>& parts) {
     std::vector<Rows> cut;
-    for (const Rows& range : ranges)
-        for (const Part& part : parts) {
-            const Rows both{std::max(range.begin, part.rows.begin),
-                            std::min(range.end, part.rows.end)};
-            if (both.count() > 0)
-                cut.push_back(both);
+    auto part = parts.begin();
+    for (Rows range : ranges)
+        while (range.count() > 0) {
+            while (part->rows.end <= range.begin)
+                ++part;
+            cut.push_back({range.begin, std::min(range.end, part->rows.end)});
+            range.begin = cut.back().end;
         }
     return cut;
 }

@@ -5,6 +5,8 @@
 #include <iterator>
 #include <limits>
 
+#include "motion/behaviors/shapes.hpp"
+
 namespace stltsa::motion {
 namespace {
 
@@ -58,7 +60,7 @@ void merge_shapes(const KernelFeatures& features, const std::vector<Part>& parts
                   std::vector<Draft>& drafts) {
     if (!features.of_shapes())
         return;
-    const auto period = 4 * static_cast<double>(features.step());
+    const auto period = static_cast<double>(moments_of_period * features.step());
     const auto part_of = [&](const Draft& draft) {
         const double middle = (draft.begin + draft.end) / 2;
         return std::ranges::upper_bound(parts, middle, {}, [](const Part& part) {

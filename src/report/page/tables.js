@@ -101,7 +101,8 @@ function makeTables() {
   const add = (title, list, heads, row) => { if (list.length) byId("tables").append(folded(`${title}: ${list.length}${more(list)}`, () => scrolled(table("", heads, list.slice(0, limit).map(row), 2), title))); };
   add("Segments", found.segments, ["", "Kind", "From", "Seconds", "Number", "Cycle time, s", "Confidence", "Moves most"], (s, i) => [String(i + 1), s.label ? element("span", {}, named(s.label), " " + s.kind) : s.kind, go(s), length(s), String(s.count), number(s.period_s), percent(s.confidence, 0), s.carried_by.slice(0, 3).join(", ")]);
   const alike = found.label_likeness;
-  if (alike.length > 1 && alike.length <= 26) byId("tables").append(folded("Likeness of motions", () => scrolled(table("", ["", ...alike.map((_, i) => named(letters(i)))], alike.map((row, i) => [named(letters(i)), ...row.map(v => percent(v, 0))]), 1), "Likeness of motions")));
+  const shown = alike.slice(0, 26), some = alike.length > shown.length ? `: ${alike.length} (the first ${shown.length} here; all are in the JSON)` : "";
+  if (shown.length > 1) byId("tables").append(folded("Likeness of motions" + some, () => scrolled(table("", ["", ...shown.map((_, i) => named(letters(i)))], shown.map((row, i) => [named(letters(i)), ...row.slice(0, shown.length).map(v => percent(v, 0))]), 1), "Likeness of motions")));
   add("Units", found.units, ["", "Kind", "From", "Seconds"], (u, i) => [String(i + 1), u.kind, go(u), length(u)]);
   for (const [title, list] of [["Cycles", found.cycles], ["Repetitions", found.repetitions]])
     add(title, list, ["", "Motion", "From", "Seconds", "Speed", "Path length", "Turn, °", "Likeness", "Confidence"], (c, i) => [String(i + 1), named(labelOf(c.segment)), go(c), length(c), ...travel(c), percent(c.likeness, 0), percent(c.confidence, 0)]);

@@ -37,7 +37,7 @@ std::vector<double> borders(const Recording& found) {
     return at;
 }
 
-/// A square wave without its steps: the mean and the deviation of sqrt(1/2) sin are those of this.
+/// A wave with slopes and flat tops.
 double trapezoid(double angle) {
     return std::clamp(1.5 * std::asin(std::sin(angle)), -1.0, 1.0);
 }
@@ -56,6 +56,14 @@ void one_column_is_divided_by_its_shape(void**) {
     ASSERT_NEAR(at[0], seconds, 2);
 }
 
+/// What repeats with pauses is not merged into one motion.
+void one_column_keeps_its_repetitions(void**) {
+    const Matrix x =
+        recorded(100, [](double t) { return std::vector{std::fmod(t, 4) < 2 ? 0. : 1.}; });
+    const Recording found = answer(x);
+    assert_true(found.repetitions.size() >= 20);
+}
+
 void quiet_columns_count(void**) {
     const Matrix x = recorded(2 * seconds, [](double t) {
         const double quiet = t < seconds ? 0 : 0.25 * std::sin(turn(t, 2));
@@ -65,7 +73,7 @@ void quiet_columns_count(void**) {
     const KernelFeatures features(make_signal(x.view(), fps, 0, 0));
     const auto moments = change_points(features, border_price(features));
     assert_int_equal(moments.size(), 1);
-    ASSERT_NEAR(static_cast<double>(moments[0]) / features.rate(), seconds, 0.5);
+    ASSERT_NEAR(static_cast<double>(moments[0] * features.step()) / fps, seconds, 0.5);
 }
 
 void rotations_beside_the_samples_divide(void**) {
@@ -80,7 +88,7 @@ void rotations_beside_the_samples_divide(void**) {
     assert_true(change_points(alone, border_price(alone)).empty());
     const auto moments = change_points(both, border_price(both));
     assert_int_equal(moments.size(), 1);
-    ASSERT_NEAR(static_cast<double>(moments[0]) / both.rate(), seconds, 0.5);
+    ASSERT_NEAR(static_cast<double>(moments[0] * both.step()) / fps, seconds, 0.5);
 }
 
 /// Takes of two motions, with rests: sizes and tempos differ, the letters do not.
@@ -119,6 +127,7 @@ void labels_ignore_size_and_tempo(void**) {
 int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(one_column_is_divided_by_its_shape),
+        cmocka_unit_test(one_column_keeps_its_repetitions),
         cmocka_unit_test(quiet_columns_count),
         cmocka_unit_test(rotations_beside_the_samples_divide),
         cmocka_unit_test(labels_ignore_size_and_tempo),
