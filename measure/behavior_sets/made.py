@@ -6,7 +6,7 @@ import numpy as np
 from recording import moves, synthetic
 from recording.compose import Cyclic, Group, Rest, compose
 
-from .judge import change_points, judge
+from .judge import change_points, judge, line
 
 MIXED = (0.82, 0.93, 0.75)
 
@@ -54,9 +54,18 @@ def one_motion(run):
         if measuring.DATA.is_dir() and i >= 4:
             walk = moves.treadmill(moves.read_moves(run.stltsa, measuring.DATA), 100 + i, 1)
         path, options = write(run, walk)
-        for build, answer in run.ask(path, *options):
-            moving = sum(s["kind"] != "rest" for s in answer["segments"])
-            run.row("walks cut into segments", 0, "of", True).add(build, moving > 1, 1)
+        count_cuts(run, "walks cut into segments", path, *options)
+        features = run.stltsa.read_clip(str(path)).features() if walk.body else walk.rows
+        for column in np.argsort(-features.var(0))[:20:5]:
+            path = run.table(f"{walk.name}, column {column}", features[:, column:column + 1])
+            count_cuts(run, "single columns of walks cut", path, "--fps", walk.fps)
+
+
+def count_cuts(run, what, path, *options):
+    for build, answer in run.ask(path, *options):
+        moving = sum(s["kind"] != "rest" for s in answer["segments"])
+        run.row(what, 0, "of", True).add(build, moving > 1, 1)
+        run.note(build, moving == 1, path, line(answer))
 
 
 def letters(run):

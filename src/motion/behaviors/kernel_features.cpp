@@ -25,6 +25,9 @@ constexpr double statistics_window_s = 0.45;
 /// Squared distance at which the kernel has fallen to 1/e: the median distance, but at least this
 /// share of the total variance. Without that limit, one long motion is cut where nothing changes.
 constexpr double least_bandwidth = 0.3;
+/// The same for shapes, which are shares of time. Without it, half of the single columns of walks
+/// on a treadmill are cut (measure/behaviors).
+constexpr double least_of_shapes = 0.3;
 constexpr std::int64_t distances_sampled = 400;
 /// Between 40 and 240 landmarks give the same borders as the exact kernel.
 constexpr std::int64_t most_landmarks = 120;
@@ -92,6 +95,7 @@ KernelFeatures::KernelFeatures(const Signal& signal, const Matrix& beside,
             step_ = shapes.step;
             statistics = shapes.rows;
             poses_ = std::move(shapes.rows);
+            least = least_of_shapes;
         }
     }
     if (!of_shapes_) {

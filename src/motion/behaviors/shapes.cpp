@@ -19,8 +19,6 @@ namespace {
 constexpr int convolutions = 120;
 constexpr std::int64_t length = 9; ///< of each
 constexpr double pooled_periods = 1.5;
-/// At least this many rows of a period are kept: long periods need fewer.
-constexpr std::int64_t rows_of_period = 32;
 /// Of the features, these principal directions are kept.
 constexpr std::int64_t most_directions = 12;
 /// The usual period: the first peak of the autocorrelation that is nearly as high as the highest.
@@ -146,29 +144,24 @@ Shapes make_shapes(ConstMatrixView poses, const std::function<void()>& poll) {
     Shapes shapes;
     if (poses.cols == 0 || poses.rows < periods_at_least * shortest_period)
         return shapes;
-    const std::int64_t full = usual_period(poses, poll);
-    const std::int64_t thinned = std::max<std::int64_t>(1, full / rows_of_period);
-    const std::int64_t period = full / thinned,
-                       step = std::max<std::int64_t>(1, period / moments_of_period);
-    shapes.step = thinned * step;
-    const auto sigma = static_cast<double>(period);
-    const Matrix kept = gaussian_smoothed(poses, 0, Beyond::nothing, thinned, poll);
-    const Matrix x = standardized(kept.view(), sigma, poll);
+    const std::int64_t period = usual_period(poses, poll);
+    shapes.step = std::max<std::int64_t>(1, period / moments_of_period);
+    const Matrix x = standardized(poses, static_cast<double>(period), poll);
     Random random(1);
-    Matrix above(x.rows(), 1), rows;
+    Matrix above((x.rows() + shapes.step - 1) / shapes.step, convolutions);
     for (int i = 0; i < convolutions; ++i) {
         const std::vector<double> y = convolved(mixture(x, random), period, random);
         const double limit = sampled_quantile(y, 0.2 + 0.6 * share(random));
-        for (std::int64_t k = 0; k < x.rows(); ++k)
-            above(k, 0) = y[static_cast<std::size_t>(k)] > limit ? 1 : 0;
-        const Matrix pooled =
-            gaussian_smoothed(above.view(), pooled_periods * sigma, Beyond::nothing, step, poll);
-        if (i == 0)
-            rows = Matrix(pooled.rows(), convolutions);
-        for (std::int64_t k = 0; k < pooled.rows(); ++k)
-            rows(k, i) = pooled(k, 0);
+        for (std::int64_t k = 0; k < above.rows(); ++k) {
+            const auto first = y.begin() + k * shapes.step;
+            const auto end = k + 1 < above.rows() ? first + shapes.step : y.end();
+            const auto count = std::count_if(first, end, [&](double v) { return v > limit; });
+            above(k, i) = static_cast<double>(count) / static_cast<double>(end - first);
+        }
     }
-    shapes.rows = reduced(std::move(rows), poll);
+    Matrix pooled = gaussian_smoothed(above.view(), pooled_periods * moments_of_period,
+                                      Beyond::nothing, 1, poll);
+    shapes.rows = reduced(std::move(pooled), poll);
     return shapes;
 }
 

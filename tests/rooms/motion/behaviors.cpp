@@ -56,6 +56,19 @@ void one_column_is_divided_by_its_shape(void**) {
     ASSERT_NEAR(at[0], seconds, 2);
 }
 
+void noise_does_not_divide_one_column(void**) {
+    for (const double period : {0.5, 1.0, 2.5})
+        for (const double noise : {0.1, 0.3}) {
+            Random random(2);
+            Matrix x =
+                recorded(100, [&](double t) { return std::vector{std::sin(turn(t, period))}; });
+            for (std::int64_t i = 0; i < x.rows(); ++i)
+                x(i, 0) += noise * random.symmetric();
+            const KernelFeatures features(make_signal(x.view(), fps, 0, 0));
+            assert_true(change_points(features, border_price(features)).empty());
+        }
+}
+
 /// What repeats with pauses is not merged into one motion.
 void one_column_keeps_its_repetitions(void**) {
     const Matrix x =
@@ -127,6 +140,7 @@ void labels_ignore_size_and_tempo(void**) {
 int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(one_column_is_divided_by_its_shape),
+        cmocka_unit_test(noise_does_not_divide_one_column),
         cmocka_unit_test(one_column_keeps_its_repetitions),
         cmocka_unit_test(quiet_columns_count),
         cmocka_unit_test(rotations_beside_the_samples_divide),
