@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "motion/curve/statistics.hpp"
 #include "motion/cycles/closed_clip.hpp"
@@ -12,7 +13,8 @@ namespace stltsa::motion {
 namespace {
 
 /// A stretch of less than so many periods of a longer one beside it, and of a shorter period than
-/// this share of it, is a part of it, such as one of several turns within it.
+/// this share of it, is a part of it, such as one of several turns within it. If longer ones are no
+/// cycles, lags below this share of them are searched.
 constexpr double min_periods_beside = 1.3;
 constexpr double shorter_period = 0.8;
 /// No behavior changes nearer to a hole than this, because the features of a border cover this much
@@ -84,8 +86,23 @@ void part_neighbors(std::vector<CyclicStretch>& cuts) {
     }
 }
 
+/// The shortest usual lag of the stretches in seconds, infinite without any.
+double shortest_lag(const std::vector<CyclicStretch>& cuts, double rate) {
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const CyclicStretch& cut : cuts)
+        shortest = std::min(shortest, median(cut.stretch.period) / rate);
+    return shortest;
+}
+
+bool pauses_within(const StillRows& still, Rows rows) {
+    return std::ranges::any_of(still.pauses, [&](const Rows& pause) {
+        return pause.begin < rows.end && pause.end > rows.begin;
+    });
+}
+
 /// The cycles of the part: the longest stretches first, as far as they grow. What is left of a
-/// stretch is one as well.
+/// stretch is one as well. If none has cycles, shorter lags are tried: a walk that turns twice
+/// resembles itself most after both turns. What pauses may be repetitions instead.
 Part decide(const Signal& signal, Rows rows, const StillRows& still, const PeriodRange& periods,
             RowProgress& progress) {
     progress.reached(static_cast<double>(rows.begin));
@@ -117,6 +134,14 @@ Part decide(const Signal& signal, Rows rows, const StillRows& still, const Perio
         (cut.borders.empty() ? small : part.stretches).push_back(std::move(cut));
     }
     refuse_nested(signal.rate, part.stretches);
+    const double longest_s = shorter_period * std::min(shortest_lag(part.stretches, signal.rate),
+                                                       shortest_lag(small, signal.rate));
+    if (part.cycles().empty() && longest_s > periods.shortest_s && longest_s < periods.longest_s &&
+        !pauses_within(still, rows)) {
+        Part shorter = decide(signal, rows, still, {periods.shortest_s, longest_s}, progress);
+        if (!shorter.cycles().empty())
+            return shorter;
+    }
     if (rows == Rows{0, signal.rows()} && part.cycles().empty())
         if (auto closed = closed_cycle(signal, periods, progress)) {
             part.stretches = {*std::move(closed)};
