@@ -44,10 +44,8 @@ std::string checked_name(const char* name, const char* what, std::int64_t index)
     return text;
 }
 
-/// How position channels of a skeleton relate to the offsets.
-enum class Adds { unknown, no, yes };
-
-clip::Channel channel_of(std::string_view word, const clip::Joint& joint, Adds& adds) {
+/// Sets whether the joint's positions add, which the first of them says.
+clip::Channel channel_of(std::string_view word, clip::Joint& joint) {
     const bool added = word.starts_with('+');
     const std::string_view name = added ? word.substr(1) : word;
     for (int c = 0; c < 6; ++c) {
@@ -55,12 +53,12 @@ clip::Channel channel_of(std::string_view word, const clip::Joint& joint, Adds& 
         if (clip::channel_name(channel) != name || (added && clip::is_rotation(channel)))
             continue;
         if (!clip::is_rotation(channel)) {
-            const Adds as = added ? Adds::yes : Adds::no;
-            if (adds != Adds::unknown && adds != as)
+            const bool first = std::ranges::all_of(joint.channels, clip::is_rotation);
+            if (!first && joint.adds != added)
                 fail(Status::argument,
-                     "joint {}: either all positions of a skeleton add to the offset, or none",
+                     "joint {}: either all positions of a joint add to the offset, or none",
                      clip::in_quotes(joint.name));
-            adds = as;
+            joint.adds = added;
         }
         return channel;
     }
@@ -70,12 +68,12 @@ clip::Channel channel_of(std::string_view word, const clip::Joint& joint, Adds& 
          clip::in_quotes(joint.name), clip::in_quotes(word));
 }
 
-void set_channels(const char* text, clip::Joint& joint, Adds& adds) {
+void set_channels(const char* text, clip::Joint& joint) {
     const char* usual = joint.parent < 0 ? "tx ty tz rz rx ry" : "rz rx ry";
     std::string_view words = text != nullptr ? text : joint.end_site ? "" : usual;
     for (std::string_view word = clip::next_word(words); !word.empty();
          word = clip::next_word(words)) {
-        const clip::Channel channel = channel_of(word, joint, adds);
+        const clip::Channel channel = channel_of(word, joint);
         if (!clip::may_follow(channel, joint.channels))
             fail(Status::argument, "joint {}: {}", clip::in_quotes(joint.name),
                  clip::channel_limit);
@@ -86,7 +84,6 @@ void set_channels(const char* text, clip::Joint& joint, Adds& adds) {
 clip::Skeleton skeleton_of(const stltsa_joint* joints, std::int64_t count) {
     check_count(count, "joints");
     clip::Skeleton skeleton;
-    Adds adds = Adds::unknown;
     const char* at = reinterpret_cast<const char*>(&required(joints, "joints"));
     const std::size_t size = joints->size; // the caller's, which is the step from joint to joint
     for (std::int64_t j = 0; j < count; ++j) {
@@ -103,10 +100,9 @@ clip::Skeleton skeleton_of(const stltsa_joint* joints, std::int64_t count) {
         joint.parent = static_cast<int>(std::clamp<std::int64_t>(known.parent, -2, most_items));
         std::copy(std::begin(known.offset), std::end(known.offset), joint.offset.begin());
         joint.end_site = known.is_end_site != 0;
-        set_channels(known.channels, joint, adds);
+        set_channels(known.channels, joint);
         skeleton.joints.push_back(std::move(joint));
     }
-    skeleton.translations_add = adds == Adds::yes;
     return skeleton;
 }
 
@@ -125,7 +121,7 @@ std::vector<std::string> stltsa::capi::channel_texts(const clip::Clip& clip) {
     for (const clip::Joint& joint : clip.skeleton->joints) {
         std::string text;
         for (const clip::Channel channel : joint.channels) {
-            const bool adds = clip.skeleton->translations_add && !clip::is_rotation(channel);
+            const bool adds = joint.adds && !clip::is_rotation(channel);
             text += text.empty() ? "" : " ";
             text += adds ? "+" : "";
             text += clip::channel_name(channel);

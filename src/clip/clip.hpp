@@ -44,6 +44,8 @@ struct Joint {
     std::vector<Channel> channels; ///< in file order; empty for end sites and rigid joints
     Quaternion axis;               ///< ASF bone axis C: local rotation = C M C^-1; identity for BVH
     bool end_site = false;
+    /// Position channels add to the offset (ASF, few BVH); else they replace it.
+    bool adds = false;
 };
 
 struct Skeleton {
@@ -51,8 +53,6 @@ struct Skeleton {
     /// Rotations are about fixed axes, and the first listed is applied first (ASF); else about
     /// moving axes, so that the matrix of the first listed is leftmost (BVH).
     bool fixed_axes = false;
-    /// Translation channels add to the joint's offset (ASF); else they replace it (BVH).
-    bool translations_add = false;
     std::string asf; ///< text of the ASF file from which it was read; empty if from elsewhere
 };
 

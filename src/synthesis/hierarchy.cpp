@@ -40,7 +40,7 @@ void check_joint(const Joint& a, const Joint& b, std::size_t index, const std::s
         fail(Status::unsupported,
              "joint {} (\"{}\") of {} has a different parent than in the first clip{}", index,
              b.name, name, advice);
-    if (a.channels != b.channels || !same_axis(a.axis, b.axis))
+    if (a.channels != b.channels || a.adds != b.adds || !same_axis(a.axis, b.axis))
         fail(Status::unsupported,
              "joint \"{}\" of {} has different channels than in the first clip{}", b.name, name,
              advice);
@@ -48,10 +48,10 @@ void check_joint(const Joint& a, const Joint& b, std::size_t index, const std::s
 
 /// Whether position channels replace the joint's offset, which then says nothing about the body:
 /// true for the root, and for hips that travel below a static root.
-bool is_placed(const Skeleton& skeleton, std::size_t j, std::size_t body_root) {
-    const std::vector<clip::Channel>& channels = skeleton.joints[j].channels;
+bool is_placed(const Joint& joint, std::size_t j, std::size_t body_root) {
+    const std::vector<clip::Channel>& channels = joint.channels;
     const auto rotations = std::count_if(channels.begin(), channels.end(), clip::is_rotation);
-    const bool replaced = !skeleton.translations_add && std::ssize(channels) - rotations == 3;
+    const bool replaced = !joint.adds && std::ssize(channels) - rotations == 3;
     return j == 0 ? !channels.empty() : j <= body_root && replaced;
 }
 
@@ -71,7 +71,7 @@ std::string check_same_body(const clip::Clip& first, const clip::Clip& other,
     if (a.joints.size() != b.joints.size())
         fail(Status::unsupported, "{} has {} joints, the first clip has {}{}", name,
              b.joints.size(), a.joints.size(), advice);
-    if (a.fixed_axes != b.fixed_axes || a.translations_add != b.translations_add)
+    if (a.fixed_axes != b.fixed_axes)
         fail(Status::unsupported, "{} has a different format than the first clip{}", name, advice);
     const double longest = longest_offset(a);
     const std::size_t body_root = clip::body_root(first);
@@ -79,7 +79,7 @@ std::string check_same_body(const clip::Clip& first, const clip::Clip& other,
     double most = tolerance * rounding;
     for (std::size_t j = 0; j < a.joints.size(); ++j) {
         check_joint(a.joints[j], b.joints[j], j, name);
-        if (is_placed(a, j, body_root))
+        if (is_placed(a.joints[j], j, body_root))
             continue;
         const double difference = offset_difference(a.joints[j], b.joints[j], longest);
         if (difference > 1)

@@ -172,9 +172,9 @@ static void skeletons_that_are_none(void** state) {
     refuses_joints(joints, 3, form, &in, NULL, STLTSA_E_ARGUMENT, "joint 1 ('knee') has parent -1");
     joints[1].parent = 0;
     for (int i = 0; i < 3; ++i) {
-        static const char* const texts[] = {"rz rw", "tx tx", "rz +tx"};
+        static const char* const texts[] = {"rz rw", "tx tx", "tx rz +ty"};
         static const char* const hints[] = {"no channel 'rw'", "each position once",
-                                            "all positions"};
+                                            "all positions of a joint"};
         joints[1].channels = texts[i];
         refuses_joints(joints, 3, form, &in, NULL, STLTSA_E_ARGUMENT, hints[i]);
     }

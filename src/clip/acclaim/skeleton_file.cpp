@@ -37,7 +37,6 @@ class SkeletonBuilder {
         index_bones();
         connect();
         skeleton_.fixed_axes = true;
-        skeleton_.translations_add = true;
         add_bones();
         return std::move(skeleton_);
     }
@@ -122,6 +121,7 @@ class SkeletonBuilder {
         joint.name = from.name;
         joint.parent = parent;
         joint.channels = from.dof;
+        joint.adds = true;
         joint.axis = bone_axis(from.axis, sections_.degrees);
         joint.offset = number == root ? from.direction : ends_[static_cast<std::size_t>(parent)];
         skeleton_.joints.push_back(std::move(joint));

@@ -112,6 +112,28 @@ Quaternion reflected(const Quaternion& q, std::size_t axis) {
     return {q.w, axis == 0 ? q.x : -q.x, axis == 1 ? q.y : -q.y, axis == 2 ? q.z : -q.z};
 }
 
+std::string channels_of(const Joint& joint) {
+    std::string text;
+    for (const Channel channel : joint.channels)
+        text += format_text("{}{}", text.empty() ? "" : " ", channel_name(channel));
+    return text.empty() ? "none" : text;
+}
+
+/// Throws if the values of the joint do not give this place and rotation of its other side.
+void check_moves_alike(const Skeleton& skeleton, const Joint& joint, const Joint& partner,
+                       const double* values, const Vec3& place, const Quaternion& turned) {
+    constexpr double rounding = 1e-3; // of an angle in radians, and of the place
+    const Quaternion turn = conjugate(joint_rotation(joint, skeleton.fixed_axes, values)) * turned;
+    if (2 * norm({turn.x, turn.y, turn.z}) > rounding ||
+        norm(joint_translation(joint, values) - place) > rounding * norm(place))
+        fail(
+            Status::unsupported,
+            "joint {} cannot move as its other side {} does, because their channels or axes differ "
+            "({}; {}): a mirror image needs the same channels on both sides",
+            in_quotes(joint.name), in_quotes(partner.name), channels_of(joint),
+            channels_of(partner));
+}
+
 Clip mirrored_body(const Clip& clip, std::size_t axis) {
     const Skeleton& from = *clip.skeleton;
     const Partners partners = partners_of(from);
@@ -130,12 +152,12 @@ Clip mirrored_body(const Clip& clip, std::size_t axis) {
             const Joint& partner = from.joints[partners[j]];
             const Joint& joint = made.skeleton->joints[j];
             const double* values = clip.values.row(i) + begins[partners[j]];
-            put_position(joint, from.translations_add,
-                         reflected(joint_translation(partner, from.translations_add, values), axis),
-                         row + begins[j]);
-            put_rotation(joint, from.fixed_axes,
-                         reflected(joint_rotation(partner, from.fixed_axes, values), axis),
-                         row + begins[j]);
+            const Vec3 place = reflected(joint_translation(partner, values), axis);
+            const Quaternion turned =
+                reflected(joint_rotation(partner, from.fixed_axes, values), axis);
+            put_position(joint, place, row + begins[j]);
+            put_rotation(joint, from.fixed_axes, turned, row + begins[j]);
+            check_moves_alike(from, joint, partner, row + begins[j], place, turned);
         }
     }
     return made;

@@ -141,7 +141,7 @@ void put_frame(const SkeletonArrays& arrays, std::int64_t frame, std::span<Quate
         Vec3 place = joint.offset;
         if (j == 0 && arrays.root.rows > 0)
             std::copy_n(arrays.root.row(frame), 3, place.begin());
-        put_position(joint, skeleton.translations_add, place, row);
+        put_position(joint, place, row);
         put_rotation(joint, false, local[j], row);
         row += joint.channels.size();
     }

@@ -169,12 +169,12 @@ void put_rotation(const Joint& joint, bool fixed_axes, const Quaternion& local, 
         *turns[t].degrees = best.degrees[t] - turns[t].held;
 }
 
-void put_position(const Joint& joint, bool translations_add, const Vec3& place, double* values) {
+void put_position(const Joint& joint, const Vec3& place, double* values) {
     for (std::size_t c = 0; c < joint.channels.size(); ++c) {
         if (is_rotation(joint.channels[c]))
             continue;
         const auto axis = static_cast<std::size_t>(channel_axis(joint.channels[c]));
-        values[c] = place[axis] - (translations_add ? joint.offset[axis] : 0);
+        values[c] = place[axis] - (joint.adds ? joint.offset[axis] : 0);
     }
 }
 
@@ -193,7 +193,7 @@ void put_world_position(const Skeleton& skeleton, std::size_t joint, const Vec3&
             const auto parent = static_cast<std::size_t>(j);
             local = rotate(conjugate(pose.world[parent]), local - pose.position[parent]);
         }
-        put_position(moved, skeleton.translations_add, local, row + begins[at]);
+        put_position(moved, local, row + begins[at]);
         axes += std::count_if(moved.channels.begin(), moved.channels.end(),
                               [](Channel channel) { return !is_rotation(channel); });
     }

@@ -14,7 +14,7 @@ namespace stltsa::clip {
 void put_rotation(const Joint& joint, bool fixed_axes, const Quaternion& local, double* values);
 
 /// Writes the joint's position channels, if any, for a position in the parent's axes.
-void put_position(const Joint& joint, bool translations_add, const Vec3& place, double* values);
+void put_position(const Joint& joint, const Vec3& place, double* values);
 
 /// Writes position channels of a row for a world position of the joint: its own channels and, until
 /// there are three, those of its ancestors.

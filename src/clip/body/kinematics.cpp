@@ -25,13 +25,13 @@ Quaternion joint_rotation(const Joint& joint, bool fixed_axes, const double* val
     return is_one(joint.axis) ? product : joint.axis * product * conjugate(joint.axis);
 }
 
-Vec3 joint_translation(const Joint& joint, bool translations_add, const double* values) {
+Vec3 joint_translation(const Joint& joint, const double* values) {
     Vec3 offset = joint.offset;
     for (std::size_t c = 0; c < joint.channels.size(); ++c) {
         if (is_rotation(joint.channels[c]))
             continue;
         const auto axis = static_cast<std::size_t>(channel_axis(joint.channels[c]));
-        offset[axis] = values[c] + (translations_add ? joint.offset[axis] : 0);
+        offset[axis] = values[c] + (joint.adds ? joint.offset[axis] : 0);
     }
     return offset;
 }
@@ -43,7 +43,7 @@ void Pose::place(const Skeleton& skeleton, const double* row, std::size_t count)
     for (std::size_t j = 0; j < count; ++j) {
         const Joint& joint = skeleton.joints[j];
         local[j] = joint_rotation(joint, skeleton.fixed_axes, row);
-        const Vec3 offset = joint_translation(joint, skeleton.translations_add, row);
+        const Vec3 offset = joint_translation(joint, row);
         row += joint.channels.size();
         place_joint(joint, j, offset);
     }

@@ -18,7 +18,7 @@ inline double to_radians(double degrees) {
 Quaternion joint_rotation(const Joint& joint, bool fixed_axes, const double* values);
 
 /// Position of the joint in its parent's axes.
-Vec3 joint_translation(const Joint& joint, bool translations_add, const double* values);
+Vec3 joint_translation(const Joint& joint, const double* values);
 
 /// The work of placing a skeleton in a frame, for each of its channels, compared with adding; for
 /// PacedPoll.

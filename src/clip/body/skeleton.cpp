@@ -59,9 +59,9 @@ bool same_hierarchy(const Skeleton& a, const Skeleton& b) {
     const auto same = [](const Joint& one, const Joint& other) {
         return one.name == other.name && one.parent == other.parent &&
                one.end_site == other.end_site && one.channels == other.channels &&
-               std::abs(dot(one.axis, other.axis)) > 1 - 1e-9;
+               one.adds == other.adds && std::abs(dot(one.axis, other.axis)) > 1 - 1e-9;
     };
-    return a.fixed_axes == b.fixed_axes && a.translations_add == b.translations_add &&
+    return a.fixed_axes == b.fixed_axes &&
            std::equal(a.joints.begin(), a.joints.end(), b.joints.begin(), b.joints.end(), same);
 }
 

@@ -18,6 +18,7 @@ Skeleton bvh_skeleton(const Skeleton& from) {
     skeleton.joints = from.joints;
     for (Joint& joint : skeleton.joints) {
         joint.axis = {};
+        joint.adds = false;
         joint.channels.clear();
         if (!joint.end_site)
             joint.channels = {Channel::rz, Channel::ry, Channel::rx};
@@ -29,7 +30,7 @@ Skeleton bvh_skeleton(const Skeleton& from) {
 
 /// Writes a pose into a row, which contains the previous row.
 void put_pose(const Skeleton& skeleton, const Pose& pose, double* row) {
-    put_position(skeleton.joints[0], skeleton.translations_add, pose.position[0], row);
+    put_position(skeleton.joints[0], pose.position[0], row);
     for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
         put_rotation(skeleton.joints[j], skeleton.fixed_axes, pose.local[j], row);
         row += skeleton.joints[j].channels.size();
@@ -94,21 +95,18 @@ void reorder(Clip& clip) {
     clip.channel_names = channel_names(*clip.skeleton);
 }
 
-/// Converts positions that add to OFFSET to positions that replace it, or back.
-void convert_positions(Clip& clip) {
-    Skeleton& skeleton = *clip.skeleton;
-    const double sign = skeleton.translations_add ? 1 : -1;
-    Matrix& values = clip.values;
-    for (std::int64_t i = 0; i < values.rows(); ++i) {
-        double* value = values.row(i);
-        for (const Joint& joint : skeleton.joints)
-            for (const Channel channel : joint.channels) {
-                if (!is_rotation(channel) && joint.parent >= 0)
-                    *value += sign * joint.offset[static_cast<std::size_t>(channel_axis(channel))];
-                ++value;
-            }
+/// Converts positions to the meaning that the joints of `to` give them.
+void convert_positions(Clip& clip, Skeleton to) {
+    for (std::int64_t i = 0; i < clip.frames(); ++i) {
+        double* values = clip.values.row(i);
+        for (std::size_t j = 0; j < to.joints.size(); ++j) {
+            const Joint& from = clip.skeleton->joints[j];
+            if (from.adds != to.joints[j].adds)
+                put_position(to.joints[j], joint_translation(from, values), values);
+            values += from.channels.size();
+        }
     }
-    skeleton.translations_add = !skeleton.translations_add;
+    clip.skeleton = std::move(to);
 }
 
 /// 1: the joint's positions lie nearer to zero than to its OFFSET; -1: farther; 0: neither.
@@ -128,6 +126,12 @@ int vote(const Joint& joint, const Matrix& values, std::int64_t column) {
 }
 
 } // namespace
+
+Skeleton with_positions(Skeleton skeleton, bool below) {
+    for (Joint& joint : skeleton.joints)
+        joint.adds = below && joint.parent >= 0;
+    return skeleton;
+}
 
 /// In the original description of the format, positions add to OFFSET. In existing files they
 /// replace it: the OFFSET of a root is a copy of its first position, joints with position channels
@@ -153,11 +157,10 @@ Clip in_bvh_form(const Clip& clip, const Progress& progress) {
     reorder(result);
     if (clip.skeleton->fixed_axes)
         convert_rotations(result, progress);
-    if (result.skeleton->translations_add)
-        convert_positions(result);
+    convert_positions(result, with_positions(*result.skeleton, false));
     // If most joints would be misread one way, most are read correctly the other way.
     if (positions_add_to_offsets(result))
-        convert_positions(result);
+        convert_positions(result, with_positions(*result.skeleton, true));
     return result;
 }
 

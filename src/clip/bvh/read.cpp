@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "clip/body/quaternion.hpp"
 #include "clip/body/skeleton.hpp"
@@ -34,15 +36,20 @@ std::int64_t read_frame_count(TextCursor& in) {
     return *frames;
 }
 
-void read_rate(TextCursor& in, Clip& clip) {
+/// A rate that the user gives needs no plausible Frame Time.
+void read_rate(TextCursor& in, Clip& clip, bool given) {
     const std::string_view text = header_value(in, "Frame", "Time");
     const auto seconds = parse_number(text);
     if (!seconds || *seconds < 0 || !std::isfinite(*seconds))
         in.fail(Status::format, "'Frame Time:' must be followed by a number of seconds, not {}",
                 in_quotes(text));
+    if (given)
+        return;
     if (*seconds > 0 && (*seconds < shortest_frame_s || *seconds > longest_frame_s))
-        in.fail(Status::format, "invalid Frame Time {} s; expected {} s to {} s", *seconds,
-                shortest_frame_s, longest_frame_s);
+        in.fail(Status::format,
+                "invalid Frame Time {:g} s; expected {:g} s to {:g} s: if {:g} is a rate, or "
+                "milliseconds, set option fps to the number of frames a second",
+                *seconds, shortest_frame_s, longest_frame_s, *seconds);
     clip.fps = rate_of(*seconds);
     if (clip.fps == 0)
         clip.notes.push_back("Frame Time is 0: the file has no frame rate");
@@ -59,25 +66,39 @@ class RowReader {
     void read() {
         // A number takes at least two bytes: check the size before allocating.
         const auto most = static_cast<std::int64_t>(in_.bytes_left() / 2 + 1) / channels_;
-        if (frames_ > most)
-            truncated();
+        if (frames_ > most + 1)
+            wrong_count();
         Matrix values(frames_, channels_);
-        for (frame_ = 0; frame_ < frames_; ++frame_)
-            read_row(values.row(frame_));
-        if (!in_.word().empty()) {
-            check_row_begin();
-            in_.fail(Status::format, "too many numbers for {} frames: {} numbers for {} channels",
-                     frames_, count_numbers(), channels_);
-        }
-        clip_.values = std::move(values);
+        while (frame_ < frames_ && read_row(values.row(frame_)))
+            ++frame_;
+        std::vector<double> more(static_cast<std::size_t>(channels_));
+        const bool one_more = frame_ == frames_ && read_row(more.data());
+        if (frame_ == 0 || frame_ + 1 < frames_ || (one_more && !in_.word().empty()))
+            wrong_count();
+        clip_.values = one_more || frame_ < frames_ ? off_by_one(values, more) : std::move(values);
     }
 
   private:
-    void read_row(double* row) {
+    /// Some exporters count one frame more or less than they write.
+    Matrix off_by_one(const Matrix& values, const std::vector<double>& more) {
+        const std::int64_t rows = frame_ < frames_ ? frames_ - 1 : frames_ + 1;
+        Matrix all = Matrix::unset(rows, channels_);
+        std::copy_n(values.data(), frame_ * channels_, all.data());
+        if (rows > frames_)
+            std::ranges::copy(more, all.row(frames_));
+        clip_.notes.push_back(
+            format_text("the file declares {} frames, but has {}, which are read", frames_, rows));
+        return all;
+    }
+
+    /// False at the end of the data.
+    bool read_row(double* row) {
         for (std::int64_t c = 0; c < channels_; ++c) {
             const std::string_view word = in_.word();
+            if (word.empty() && c == 0)
+                return false;
             if (word.empty())
-                truncated();
+                wrong_count();
             if (c == 0)
                 check_row_begin();
             const auto value = parse_number(word);
@@ -89,6 +110,7 @@ class RowReader {
             row[c] = *value;
         }
         row_end_ = in_.line_number();
+        return true;
     }
 
     /// Called at the first word of a row. If a row begins in the middle of a line, the previous row
@@ -102,13 +124,14 @@ class RowReader {
         row_begin_ = line;
     }
 
-    [[noreturn]] void truncated() {
+    [[noreturn]] void wrong_count() {
         const std::int64_t count = count_numbers();
         in_.fail(Status::format,
-                 "the file ends early: it declares {} frames of {} channels, but has only {} "
-                 "frames{}",
-                 frames_, channels_, count / channels_,
-                 count % channels_ == 0 ? "" : format_text(" and {} numbers", count % channels_));
+                 "the file declares {} frames of {} channels, but has {} frames{}: {}", frames_,
+                 channels_, count / channels_,
+                 count % channels_ == 0 ? "" : format_text(" and {} numbers", count % channels_),
+                 count / channels_ < frames_ ? "is it cut off? If not, correct 'Frames:'"
+                                             : "correct 'Frames:' if all belong to the motion");
     }
 
     /// Counts all numbers of the data; leaves in_ at the last one.
@@ -144,10 +167,10 @@ Clip parse_bvh(std::string_view bytes, const std::string& name, const ReadOption
     if (channels == 0)
         in.fail(Status::format, "no joint has CHANNELS");
     const std::int64_t frames = read_frame_count(in);
-    read_rate(in, clip);
+    read_rate(in, clip, options.fps.has_value());
     RowReader(in, clip, frames, channels).read();
     if (positions_add_to_offsets(clip)) {
-        clip.skeleton->translations_add = true;
+        clip.skeleton = with_positions(*std::move(clip.skeleton), true);
         clip.notes.push_back("positions of joints below the root are assumed to add to OFFSET");
     }
     return clip;

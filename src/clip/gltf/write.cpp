@@ -88,8 +88,7 @@ class GltfWriter {
     std::vector<float> places_of(const Skeleton& skeleton, std::size_t joint, std::size_t column) {
         std::vector<float> values;
         for (std::int64_t i = 0; i < clip_.frames(); ++i)
-            append(values, joint_translation(skeleton.joints[joint], skeleton.translations_add,
-                                             clip_.values.row(i) + column));
+            append(values, joint_translation(skeleton.joints[joint], clip_.values.row(i) + column));
         return values;
     }
 

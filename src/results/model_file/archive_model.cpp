@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view magic("\x89STLTSA\n", 8);
 
 /// Increases whenever the fields change.
-constexpr std::uint32_t version = 4;
+constexpr std::uint32_t version = 5;
 
 constexpr std::size_t head_size = magic.size() + sizeof version + sizeof(std::uint64_t);
 /// Bytes of head and checksum.

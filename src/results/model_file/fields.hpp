@@ -50,9 +50,9 @@ void quaternion_fields(Archive& archive, T& q) {
 
 template <class Archive, Is<clip::Skeleton> T>
 void skeleton_fields(Archive& archive, T& skeleton) {
-    archive(skeleton.fixed_axes, skeleton.translations_add, skeleton.asf);
+    archive(skeleton.fixed_axes, skeleton.asf);
     archive.list(skeleton.joints, [](auto& each, auto& joint) {
-        each(joint.name, joint.parent, joint.offset, joint.channels, joint.end_site);
+        each(joint.name, joint.parent, joint.offset, joint.channels, joint.end_site, joint.adds);
         quaternion_fields(each, joint.axis);
     });
 }

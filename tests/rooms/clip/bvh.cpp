@@ -60,7 +60,7 @@ void reads_the_plain_file(void**) {
     assert_string_equal(clip.channel_names[0].c_str(), "Hips.tx");
     assert_string_equal(clip.channel_names[9].c_str(), "Arm.rx");
     assert_true(clip.notes.empty());
-    assert_false(clip.skeleton->translations_add);
+    assert_false(clip.skeleton->joints.back().adds);
 }
 
 void reads_line_ends_of_every_system(void**) {
@@ -159,10 +159,10 @@ Clip moving_arm(double x, double y, double z) {
 
 void recognizes_the_meaning_of_positions_below_the_root(void**) {
     const Clip absolute = moving_arm(3, 5, 0); // repeats OFFSET 3 5 0
-    assert_false(absolute.skeleton->translations_add);
+    assert_false(absolute.skeleton->joints.back().adds);
     ASSERT_NEAR(positions(absolute)(1, 9), 3.1, 1e-12);
     const Clip relative = moving_arm(0, 0, 0);
-    assert_true(relative.skeleton->translations_add);
+    assert_true(relative.skeleton->joints.back().adds);
     ASSERT_NEAR(positions(relative)(1, 9), 3.1, 1e-12);
     assert_int_equal(relative.notes.size(), 1);
 }
@@ -211,7 +211,7 @@ std::string Traveler::text() const {
 /// Whether positions have the right meaning, and the body the right place.
 void check_meaning(const Traveler& traveler) {
     const Clip clip = bvh(traveler.text());
-    assert_true(clip.skeleton->translations_add == traveler.add);
+    assert_true(clip.skeleton->joints.back().adds == traveler.add);
     assert_int_equal(clip.notes.size(), traveler.add ? 1 : 0);
     ASSERT_NEAR(positions(clip)(0, 4), 90, 1e-12); // height of the hips
     ASSERT_NEAR(positions(clip)(0, 5), -450, 1e-12);
@@ -237,19 +237,32 @@ void one_joint_that_travels_has_one_vote(void**) {
 void joints_without_an_offset_have_no_vote(void**) {
     check_meaning({.add = false, .limb = {0, 0, 0}});
     const Clip clip = bvh(every(Traveler{.add = true}.text(), "OFFSET 10 0 0", "OFFSET 0 0 0"));
-    assert_false(clip.skeleton->translations_add); // no evidence: the default, as in most files
+    assert_false(clip.skeleton->joints.back().adds); // no evidence: the default, as in most files
 }
 
 void a_single_joint_replaces(void**) {
     const Clip clip = bvh("HIERARCHY\nROOT a\n{\nOFFSET 5 0 0\nCHANNELS 1 Xposition\n}\n"
                           "MOTION\nFrames: 2\nFrame Time: 0.01\n0\n1\n");
-    assert_false(clip.skeleton->translations_add);
+    assert_false(clip.skeleton->joints.back().adds);
     assert_true(positions(clip)(1, 0) == 1);
 }
 
 void a_root_offset_does_not_add_to_its_position(void**) {
     const Clip clip = bvh(replaced(small_bvh, "OFFSET 0.0 0.0 0.0", "OFFSET 1.0 2.0 3.0"));
     assert_true(positions(clip)(0, 1) == 2);
+}
+
+/// Some exporters count one frame more or less than they write.
+void a_count_that_is_off_by_one(void**) {
+    const Clip expected = bvh(small_bvh);
+    for (const char* declared : {"2", "4"}) {
+        const Clip clip = bvh(replaced(small_bvh, "Frames: 3", std::string("Frames: ") + declared));
+        clip_testing::check_same(clip.values, expected.values, 0);
+        assert_int_equal(clip.notes.size(), 1);
+        assert_string_equal(clip.notes[0].c_str(), (std::string("the file declares ") + declared +
+                                                    " frames, but has 3, which are read")
+                                                       .c_str());
+    }
 }
 
 void a_frame_time_of_zero_means_unknown(void**) {
@@ -298,6 +311,7 @@ int main() {
         cmocka_unit_test(joints_without_an_offset_have_no_vote),
         cmocka_unit_test(a_single_joint_replaces),
         cmocka_unit_test(a_root_offset_does_not_add_to_its_position),
+        cmocka_unit_test(a_count_that_is_off_by_one),
         cmocka_unit_test(a_frame_time_of_zero_means_unknown),
         cmocka_unit_test(tells_formats_by_content_and_suffix),
     };

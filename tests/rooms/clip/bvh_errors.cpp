@@ -77,8 +77,16 @@ void in_the_header_of_the_data(void**) {
             "test:27: 'Frame Time:' must be followed by a number of seconds");
     REFUSES("0.0083333", "-0.01", format,
             "test:27: 'Frame Time:' must be followed by a number of seconds");
-    for (const char* none : {"1e300", "1e-300", "3601"})
-        REFUSES("0.0083333", none, format, "test:27: invalid Frame Time");
+    for (const char* none : {"1e300", "1e-300", "1.1", "24", "33.3"})
+        REFUSES("0.0083333", none, format,
+                std::string("test:27: invalid Frame Time ") +
+                    (none[1] == 'e' ? "1e"
+                                    : std::string(none) + " s; expected 1e-06 s to 1 s: if " +
+                                          none + " is a rate, or milliseconds, set option fps"));
+    parse(replaced(small_bvh, "0.0083333", "1"), Format::bvh);
+    stltsa::clip::ReadOptions options;
+    options.fps = 30;
+    assert_true(parse(replaced(small_bvh, "0.0083333", "30"), Format::bvh, options).fps == 30);
     REFUSES("0.0083333", "nan", format,
             "test:27: 'Frame Time:' must be followed by a number of seconds");
 }
@@ -92,20 +100,23 @@ void in_the_data(void**) {
 }
 
 void data_that_end_early(void**) {
-    REFUSES("Frames: 3", "Frames: 5", format,
-            "test:30: the file ends early: it declares 5 frames of 10 channels, but has "
-            "only 3 frames");
-    REFUSES(" 61 71\n", " 61", format, "has only 2 frames and 9 numbers");
+    REFUSES(
+        "Frames: 3", "Frames: 5", format,
+        "test:30: the file declares 5 frames of 10 channels, but has 3 frames: is it cut off? If "
+        "not, correct 'Frames:'");
+    REFUSES(" 61 71\n", " 61", format, "has 2 frames and 9 numbers: is it cut off?");
     // Must not allocate anything of this size.
-    REFUSES("Frames: 3", "Frames: 1000000000000", format, "has only 3 frames");
-    REFUSES("Frames: 3", "Frames: 9223372036854775807", format, "has only 3 frames");
-    refuses(small_bvh.substr(0, small_bvh.find("1 2 3 0")), Status::format, "has only 0 frames",
+    REFUSES("Frames: 3", "Frames: 1000000000000", format, "has 3 frames");
+    REFUSES("Frames: 3", "Frames: 9223372036854775807", format, "has 3 frames");
+    refuses(small_bvh.substr(0, small_bvh.find("1 2 3 0")), Status::format, "has 0 frames",
             __LINE__);
 }
 
 void rows_of_the_wrong_length(void**) {
-    REFUSES("Frames: 3", "Frames: 2", format,
-            "test:30: too many numbers for 2 frames: 30 numbers for 10 channels");
+    REFUSES("Frames: 3", "Frames: 1", format,
+            "test:30: the file declares 1 frames of 10 channels, but has 3 frames: correct "
+            "'Frames:' if all belong to the motion");
+    REFUSES("61 71\n", "61 71\n81\n", format, "but has 3 frames and 1 numbers: correct 'Frames:'");
     REFUSES("2 3 4 10", "2 3 4 9 10", format, "test:29: frame 1 has more numbers");
     REFUSES("2 3 4 10", "2 3 10", format, "test:29: frame 1 has fewer numbers");
     // One number too many and one too few: the total is correct.

@@ -223,7 +223,8 @@ void a_bvh_keeps_its_joints_and_positions(void**) {
                                " 71\n", " 7 71\n"),
                       Format::bvh);
     check_skeleton(clip);
-    clip.skeleton->translations_add = true;
+    clip.skeleton->joints[3].adds = true;
+    clip.skeleton->joints[0].offset = {7, 90, -5}; // the positions of the root replace it
     check_skeleton(clip);
 }
 

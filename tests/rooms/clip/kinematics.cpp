@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "clip/features/features.hpp"
+#include "clip/write.hpp"
 
 namespace {
 
@@ -154,6 +155,99 @@ void rotations_keep_their_sign(void**) {
     }
 }
 
+/// A random hierarchy, its text, and where its joints are in each frame: the positions of the root
+/// replace its OFFSET; those of the other joints add to theirs, or replace them.
+struct RandomBody {
+    static constexpr int frames = 3;
+
+    Random random;
+    bool adds;
+    std::string hierarchy;
+    std::array<std::string, frames> rows;
+    std::array<std::vector<Vec3>, frames> places;
+    bool below_root_moves = false;
+
+    /// Every joint but the root has children while there are fewer than `most`.
+    void joint(int depth, const std::array<Matrix3, frames>& parents,
+               const std::array<Vec3, frames>& origins);
+    std::string text() const {
+        std::string all = hierarchy + "MOTION\nFrames: 3\nFrame Time: 0.01\n";
+        for (const std::string& row : rows)
+            all += row + "\n";
+        return all;
+    }
+};
+
+void RandomBody::joint(int depth, const std::array<Matrix3, frames>& parents,
+                       const std::array<Vec3, frames>& origins) {
+    const bool is_root = depth == 0;
+    const Vec3 offset{50 + 50 * random.next(), 90 * random.next(), 70 * random.next()};
+    hierarchy += stltsa::format_text("{} j{}\n{{\nOFFSET {} {} {}\n", is_root ? "ROOT" : "JOINT",
+                                     places[0].size(), offset[0], offset[1], offset[2]);
+    std::vector<std::string> channels;
+    std::string axes = "XYZ";
+    for (int i = 0; i < 3; ++i) // positions of some axes
+        if (random.below(2) == 0)
+            channels.push_back(std::string(1, axes[static_cast<std::size_t>(i)]) + "position");
+    below_root_moves = below_root_moves || (!is_root && !channels.empty());
+    for (std::uint64_t i = is_root ? 1 : random.below(4); i > 0; --i) // at any place among them
+        channels.insert(channels.begin() +
+                            static_cast<std::ptrdiff_t>(random.below(channels.size() + 1)),
+                        std::string(1, axes[random.below(3)]) + "rotation");
+    hierarchy += stltsa::format_text("CHANNELS {}", channels.size());
+    for (const std::string& channel : channels)
+        hierarchy += " " + channel;
+    hierarchy += "\n";
+    std::array<Matrix3, frames> worlds = parents;
+    std::array<Vec3, frames> at{};
+    for (std::size_t f = 0; f < frames; ++f) {
+        Vec3 place = offset;
+        for (const std::string& channel : channels) {
+            const auto axis = static_cast<std::size_t>(channel[0] - 'X');
+            const bool turns = channel.ends_with("rotation");
+            double value = turns ? 180 * random.next() : 0.1 * offset[axis] * random.next();
+            if (turns)
+                worlds[f] = product(worlds[f], turn(channel[0], value));
+            else if (is_root || !adds)
+                place[axis] = value += offset[axis];
+            else
+                place[axis] += value;
+            rows[f] += stltsa::format_text("{} ", value);
+        }
+        place = product(parents[f], place);
+        for (std::size_t i = 0; i < 3; ++i)
+            at[f][i] = origins[f][i] + place[i];
+        places[f].push_back(at[f]);
+    }
+    for (std::uint64_t i = depth < 4 ? (is_root ? 2 : random.below(3)) : 0; i > 0; --i)
+        joint(depth + 1, worlds, at);
+    hierarchy += "}\n";
+}
+
+/// As read, and as read from what is saved.
+void positions_mean_the_same_in_every_file(void**) {
+    int adding = 0;
+    Random random;
+    for (int repeat = 0; repeat < 60; ++repeat) {
+        RandomBody body{.random = random, .adds = repeat % 2 == 0, .hierarchy = "HIERARCHY\n"};
+        body.joint(0, {identity, identity, identity}, {});
+        random = body.random;
+        const Clip clip = parse(body.text(), Format::bvh);
+        adding += body.adds && body.below_root_moves ? 1 : 0;
+        const TemporaryFolder folder;
+        write(clip, folder.path("a.bvh"));
+        const Clip again = read(folder.path("a.bvh"), {});
+        for (const stltsa::Matrix& found : {positions(clip), positions(again)})
+            for (std::size_t f = 0; f < RandomBody::frames; ++f)
+                for (std::size_t j = 0; j < body.places[f].size(); ++j)
+                    for (std::size_t i = 0; i < 3; ++i)
+                        ASSERT_NEAR(found(static_cast<std::int64_t>(f),
+                                          static_cast<std::int64_t>(3 * j + i)),
+                                    body.places[f][j][i], 1e-9);
+    }
+    assert_true(adding > 20);
+}
+
 void bare_matrices_have_no_pose(void**) {
     const Clip clip = parse("1,2\n3,4\n", Format::csv);
     ASSERT_FAILS(Status::unsupported, "positions need a skeleton", positions(clip));
@@ -168,6 +262,7 @@ int main() {
         cmocka_unit_test(chains_multiply_from_the_root),
         cmocka_unit_test(channels_interleaved_with_positions),
         cmocka_unit_test(rotations_keep_their_sign),
+        cmocka_unit_test(positions_mean_the_same_in_every_file),
         cmocka_unit_test(bare_matrices_have_no_pose),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);

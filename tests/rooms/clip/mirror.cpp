@@ -133,6 +133,39 @@ void what_has_no_sides_is_refused(void**) {
     ASSERT_FAILS(Status::unsupported, "cannot both be the other side of", mirrored(ambiguous, {}));
 }
 
+/// Three angles about any axes give every rotation, fewer do not: a side that cannot move as the
+/// other one does has no mirror image, unless the other one does not use what it has more.
+void sides_of_different_channels(void**) {
+    const auto image_of = [](const char* left, const char* right, const char* rows) {
+        std::string text = replaced(two_legs, "CHANNELS 3 Zrotation Xrotation Yrotation", left);
+        text = replaced(text, "CHANNELS 3 Xrotation Yrotation Zrotation", right);
+        text.resize(text.find("1 10 3"));
+        const Clip clip = parse(text + rows, Format::bvh, "two legs", {});
+        const Clip image = mirrored(clip, Axis::y);
+        const Pose before = pose_of(clip, 1), after = pose_of(image, 1);
+        const std::size_t partner[] = {0, 3, 4, 1, 2};
+        for (std::size_t j = 0; j < 5; ++j)
+            for (std::size_t a = 0; a < 3; ++a)
+                ASSERT_NEAR(after.position[j][a],
+                            (a == 0 ? -1 : 1) * before.position[partner[j]][a], 1e-12);
+    };
+    const char* const four = "0 0 0 0 0 0 5 10 20 30\n0 0 0 0 0 0 6 15 -21 31\n";
+    ASSERT_FAILS(
+        Status::unsupported,
+        "'LeftLeg' cannot move as its other side 'RightLeg' does, because their channels "
+        "or axes differ (rx; rz rx ry)",
+        image_of("CHANNELS 1 Xrotation", "CHANNELS 3 Zrotation Xrotation Yrotation", four));
+    ASSERT_FAILS(
+        Status::unsupported, "(rx ry; ry rx)",
+        image_of("CHANNELS 2 Xrotation Yrotation", "CHANNELS 2 Yrotation Xrotation", four));
+    ASSERT_FAILS(Status::unsupported, "(rx; ty rx)",
+                 image_of("CHANNELS 1 Xrotation", "CHANNELS 2 Yposition Xrotation",
+                          "0 0 0 0 0 0 5 -1 20\n0 0 0 0 0 0 6 -1.1 -21\n"));
+    image_of("CHANNELS 2 Xrotation Yrotation", "CHANNELS 2 Xrotation Yrotation", four);
+    image_of("CHANNELS 1 Xrotation", "CHANNELS 3 Zrotation Xrotation Yrotation",
+             "0 0 0 0 0 0 5 0 20 0\n0 0 0 0 0 0 6 0 -21 0\n");
+}
+
 void names_of_the_other_side(void**) {
     const auto other = [](const char* name, bool first) {
         const auto names = stltsa::other_sides(name, first);
@@ -160,6 +193,7 @@ int main() {
         cmocka_unit_test(points_change_places),
         cmocka_unit_test(points_of_one_name_are_told_apart_by_order),
         cmocka_unit_test(what_has_no_sides_is_refused),
+        cmocka_unit_test(sides_of_different_channels),
         cmocka_unit_test(names_of_the_other_side),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);

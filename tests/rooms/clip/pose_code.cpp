@@ -106,7 +106,7 @@ void joints_that_move_come_back(void**) {
                        50);
     assert_int_equal(encode_poses(clip, Axis::y).code.moves.size(), 2);
     check_round_trip(clip, Axis::y);
-    clip.skeleton->translations_add = true;
+    clip.skeleton->joints[3].adds = true;
     check_round_trip(clip, Axis::y);
     for (std::int64_t i = 0; i < clip.frames(); ++i)
         clip.values(i, 9) = 7;
@@ -156,7 +156,7 @@ Clip elsewhere(const Clip& clip, Axis up) {
         place[(axis + 1) % 3] += 30 - t;
         place[(axis + 2) % 3] += 2 * t;
         const Joint& root = clip.skeleton->joints[0];
-        put_position(root, clip.skeleton->translations_add, place, result.values.row(i));
+        put_position(root, place, result.values.row(i));
         put_rotation(root, clip.skeleton->fixed_axes, turn * pose.world[0], result.values.row(i));
     }
     return result;

@@ -63,7 +63,7 @@ void offsets_of_hips_that_travel_below_a_static_root(void**) {
             ++joint.parent;
         joints[0].offset = hips;
         joints.emplace(joints.begin());
-        clip.skeleton->translations_add = add;
+        joints[1].adds = add;
         return clip;
     };
     const Vec3 here{0, 90, -450};
