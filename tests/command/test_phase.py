@@ -65,6 +65,25 @@ class Phase(CommandTest):
         self.assertEqual(sides["pairs"], [])
         self.assertIn("second half of a cycle of motion A may not mirror the first", sides["reason"])
 
+    def test_sides_that_cannot_move_alike_have_a_reason(self):
+        hierarchy, motion = walk().read_text().split("Frame Time")
+        before, after = hierarchy.split("JOINT RightUpLeg")
+        after = after.replace("CHANNELS 3 Zrotation Xrotation Yrotation", "CHANNELS 1 Xrotation", 1)
+        head, *rows = motion.strip().splitlines()
+        rows = [row.split() for row in rows]
+        rows = [" ".join(row[:45] + row[46:47] + row[48:]) for row in rows]
+        clip = self.folder / "hinge.bvh"
+        clip.write_text("\n".join([f"{before}JOINT RightUpLeg{after}Frame Time{head}", *rows]) + "\n")
+        found = self.json("decompose", clip, "--phase", self.folder / "phase.npy",
+                          "--report", self.folder / "page.html")
+        self.assertEqual(len(found["cycles"]), 3)
+        (sides,) = found["sides"]
+        self.assertEqual(sides["pairs"], [])
+        self.assertIn("joint 'RightUpLeg' cannot move as its other side 'LeftUpLeg' does, because "
+                      "their channels or axes differ (rx; rz rx ry)", sides["reason"])
+        self.assertIn("cannot move as its other side", (self.folder / "page.html").read_text())
+        self.assertIn("cannot move as its other side", self.fails(4, "compare", clip))
+
     def test_a_clip_without_cycles_has_no_phase(self):
         self.done("decompose", f"{walk()}:0-25", "--phase", self.folder / "none.npy")
         self.assertTrue(numpy.isnan(numpy.load(self.folder / "none.npy")[:, 3:]).all())
