@@ -92,6 +92,24 @@ class Page(Pages):
                     self.assertAlmostEqual(single[r][c], value, delta=0.05 * spread + 1e-6)
         self.assertGreater(len(motion["sides"]["pairs"]), 0)
 
+    def test_of_a_very_long_clip_every_second_row(self):
+        clip, rows = self.folder / "long.csv", 200_001
+        clip.write_text("a,b\n" + "".join(
+            f"{math.cos(i / 30):.2f},{math.sin(i / 30) + 0.3 * math.sin(i / 15):.2f}\n" for i in range(rows)))
+        phase = self.data(self.page(clip, "--fps", "100", "--phase", self.folder / "phase.csv"))["phase"]
+        self.assertEqual(phase["step"], 2)
+        with open(self.folder / "phase.csv", newline="", encoding="ascii") as file:
+            table = list(csv.DictReader(file))
+        kept = unpacked(phase["values"])
+        self.assertEqual((len(table), len(kept)), (rows, (rows + 1) // 2))
+        self.assertGreater(sum(not math.isnan(row[1]) for row in kept), 99_000)
+        for r in range(0, len(kept), 500):
+            for value, unit, name in zip(kept[r], phase["values"]["unit"], ("phase", "residual")):
+                text = table[2 * r][name]
+                self.assertEqual(math.isnan(value), text == "", r)
+                if text:
+                    self.assertAlmostEqual(value, float(text), delta=0.51 * unit)
+
     def test_joints_above_the_body_have_no_places(self):
         here, below = (self.data(self.page(clip))["body"] for clip in (walk(), walk_below_a_joint()))
         self.assertEqual([part["name"] for part in below["parts"][1:]], [part["name"] for part in here["parts"]])

@@ -228,6 +228,15 @@ void the_last_repetition_is_taken_from_what_follows(void**) {
     assert_true((drafts[1].motions == std::vector<Rows>{drafts[1].rows()}));
     ASSERT_NEAR(drafts[1].gain, 1, 0);
 
+    // Cycles are not taken.
+    drafts = {draft(repetitions, 0, 150), draft(rest, 150, 180),
+              draft(SegmentKind::cyclic, 180, 360)};
+    drafts[0].motions = {{0, 60}, {90, 150}};
+    drafts[0].group = 0;
+    drafts[2].stretches = {stretch(200, 300)};
+    find_end_repetitions(signal, drafts);
+    assert_int_equal(drafts.size(), 3);
+
     // A motion unlike the repetitions is left alone.
     drafts = {draft(repetitions, 0, 150), draft(rest, 150, 180),
               draft(SegmentKind::action, 240, 360)};

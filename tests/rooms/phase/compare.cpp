@@ -55,6 +55,13 @@ void the_next_best_lag_is_found(void**) {
     const Lag lag = lag_between(twice.view(), twice.view(), 50);
     ASSERT_NEAR(lag.samples, 0, 1e-9);
     ASSERT_NEAR(lag.runner_up, (1 - 0.01) / (1 + 0.01), 1e-3);
+    Matrix narrow(100, 1); // each peak is one sample wide
+    for (std::int64_t s = 0; s < 100; ++s)
+        narrow(s, 0) =
+            (s % 2 == 0 ? 1 : -1) * (1 + 0.3 * std::cos(turn * static_cast<double>(s) / 100));
+    const Lag at_end = lag_between(narrow.view(), later(narrow.view(), 20).view(), 20);
+    ASSERT_NEAR(at_end.samples, -20, 1e-9);
+    ASSERT_NEAR(at_end.runner_up, (1 + 0.045 * std::cos(turn * 0.02)) / 1.045, 1e-9);
     const Matrix once = curves(100, 0, 0);
     assert_true(std::isnan(lag_between(once.view(), once.view(), 50).runner_up));
 }
@@ -165,11 +172,11 @@ void lag_and_amplitude_have_their_errors(void**) {
 }
 
 /// Ten cycles of two columns, by turns 0.01 of a cycle early and late.
-Resampled jittered(double late) {
+Resampled jittered(double late, double by = 0.01) {
     Matrix signals(1001, 2), rows(10, 101);
     for (std::int64_t k = 0; k < 10; ++k)
         for (std::int64_t s = 0; s <= 100; ++s) {
-            const double own = late + (k % 2 == 0 ? 0.01 : -0.01);
+            const double own = late + (k % 2 == 0 ? by : -by);
             const double at = turn * (static_cast<double>(s) / 100 - own);
             signals(100 * k + s, 0) = std::sin(at);
             signals(100 * k + s, 1) = std::cos(at);
@@ -194,6 +201,17 @@ void deviations_of_lags_are_those_of_the_cycles(void**) {
     ASSERT_NEAR(estimate({0, {-1, 0, 1}}, {0, {-1, 0, 1}}, {}).first_sd, 1, 1e-12);
 }
 
+/// What chance would give is due to the cycles of both.
+void chance_has_the_spread_of_both(void**) {
+    const Resampled still = jittered(0, 0), moves = jittered(0);
+    const std::vector<std::int64_t> groups{0, 1};
+    for (const bool paired : {false, true}) {
+        const double second = compare(still, moves, groups, paired).parts[0].chance;
+        ASSERT_NEAR(second, turn * 0.01 / std::sqrt(2.0) / 3, 1e-3); // of 10 cycles
+        ASSERT_NEAR(compare(moves, still, groups, paired).parts[0].chance, second, 1e-12);
+    }
+}
+
 } // namespace
 
 int main() {
@@ -206,6 +224,7 @@ int main() {
         cmocka_unit_test(single_cycles_have_no_interval),
         cmocka_unit_test(lag_and_amplitude_have_their_errors),
         cmocka_unit_test(deviations_of_lags_are_those_of_the_cycles),
+        cmocka_unit_test(chance_has_the_spread_of_both),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

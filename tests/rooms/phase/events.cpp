@@ -250,6 +250,37 @@ void first_steps_follow_the_parts_that_move(void**) {
     assert_true(worst_off < 1);
 }
 
+void events_outside_of_cycles_are_doubted(void**) {
+    const Matrix samples = motion(0.02, 12);
+    Searched in = cyclic(samples);
+    const auto usual = events_of(in, {row_at(5.35)});
+    const Range cycles = in.known[0];
+    const double end = row_at(6.85); // between two events
+    in.known[0].end = static_cast<std::int64_t>(end);
+    const auto doubted = events_of(in, {row_at(5.35)});
+    assert_int_equal(doubted.size(), usual.size());
+    for (std::size_t i = 0; i < usual.size(); ++i)
+        if (usual[i].row > end && rows_beyond(cycles, usual[i].row) == 0) // no templates either
+            assert_true(doubted[i].error_ms > 1.999 * usual[i].error_ms);
+        else
+            ASSERT_NEAR(doubted[i].error_ms, usual[i].error_ms, 1e-9);
+}
+
+void another_motion_has_no_events(void**) {
+    const Matrix samples = motion(0.02, 13);
+    const Searched in = cyclic(samples);
+    const auto events_at = [&](double distance) {
+        Searched changed = in;
+        for (std::size_t i = 0; i < 12; ++i)
+            changed.distance[0][static_cast<std::size_t>(row_at(8.35)) - 6 + i -
+                                static_cast<std::size_t>(in.runs[0].begin)] = distance;
+        return events_of(changed, {row_at(5.35)}).size();
+    };
+    const auto all = events_of(in, {row_at(5.35)}).size();
+    assert_int_equal(events_at(0.99 * other_motion), all);
+    assert_int_equal(events_at(1.01 * other_motion), all - 1);
+}
+
 void a_mark_outside_of_runs_is_in_no_motion(void**) {
     const Matrix samples = motion(0.02, 6);
     Searched in = cyclic(samples);
@@ -272,6 +303,8 @@ int main() {
         cmocka_unit_test(marks_far_apart_are_several_places),
         cmocka_unit_test(marks_in_another_motion_are_doubted),
         cmocka_unit_test(first_steps_follow_the_parts_that_move),
+        cmocka_unit_test(events_outside_of_cycles_are_doubted),
+        cmocka_unit_test(another_motion_has_no_events),
         cmocka_unit_test(a_mark_outside_of_runs_is_in_no_motion),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
