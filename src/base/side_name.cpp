@@ -2,6 +2,7 @@
 #include "base/side_name.hpp"
 
 #include <array>
+#include <map>
 
 namespace stltsa {
 namespace {
@@ -26,14 +27,6 @@ bool letter_before(std::string_view name, std::size_t at) {
 
 bool letter_at(std::string_view name, std::size_t at) {
     return at < name.size() && (is_letter(name[at]) || is_other_letter(name[at]));
-}
-
-/// Whether the letter at a place may stand for a side: it is a word, or before one in capitals.
-bool may_be_side(std::string_view name, std::size_t at, bool first_letter) {
-    const bool begins = !letter_before(name, at);
-    const bool ends = !letter_at(name, at + 1);
-    const bool before_word = at + 1 < name.size() && name[at + 1] >= 'A' && name[at + 1] <= 'Z';
-    return begins && (ends || before_word || (first_letter && at == 0));
 }
 
 std::string replaced(std::string_view name, std::size_t at, std::size_t length,
@@ -66,6 +59,15 @@ bool begins_word(std::string_view name, std::size_t at) {
         return true;
     const bool after_small = name[at - 1] >= 'a' && name[at - 1] <= 'z';
     return after_small && name[at] >= 'A' && name[at] <= 'Z';
+}
+
+/// Whether the letter at a place may stand for a side: it is a word, or before one in capitals.
+bool may_be_side(std::string_view name, std::size_t at, bool within_words) {
+    const bool ends = !letter_at(name, at + 1);
+    if (within_words)
+        return begins_word(name, at) || ends;
+    const bool before_word = at + 1 < name.size() && name[at + 1] >= 'A' && name[at + 1] <= 'Z';
+    return !letter_before(name, at) && (ends || before_word);
 }
 
 /// Whether a letter that may state a side does so, judged by the characters that follow it: yes in
@@ -109,7 +111,7 @@ Side side_of_name(std::string_view name) {
     return letters_differ ? Side::neither : of_letters;
 }
 
-std::vector<OtherSide> other_sides(std::string_view name, bool first_letter) {
+std::vector<OtherSide> other_sides(std::string_view name, bool within_words) {
     std::vector<OtherSide> names;
     for (const auto& pair : words)
         for (const std::size_t side : {0U, 1U})
@@ -118,10 +120,31 @@ std::vector<OtherSide> other_sides(std::string_view name, bool first_letter) {
                                  static_cast<Side>(side)});
     for (std::size_t at = 0; at < name.size(); ++at)
         if (const char other = other_letter(name[at]);
-            other != 0 && may_be_side(name, at, first_letter))
+            other != 0 && may_be_side(name, at, within_words))
             names.push_back(
                 {replaced(name, at, 1, std::string_view(&other, 1)), side_of_letter(name[at])});
     return names;
+}
+
+std::vector<Sided> sides_of(std::span<const std::string> names) {
+    std::map<std::string_view, std::vector<std::size_t>> places;
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        std::vector<std::size_t>& same = places[names[i]];
+        order.push_back(same.size());
+        same.push_back(i);
+    }
+    const auto sided = [&](std::size_t i) -> Sided {
+        for (const OtherSide& other : other_sides(names[i], true))
+            if (const auto found = places.find(other.name);
+                found != places.end() && found->second.size() > order[i])
+                return {other.side, found->second[order[i]]};
+        return {side_of_name(names[i]), i};
+    };
+    std::vector<Sided> sides;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        sides.push_back(sided(i));
+    return sides;
 }
 
 } // namespace stltsa

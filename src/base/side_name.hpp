@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,8 +23,18 @@ struct OtherSide {
 
 /// What a name may be on the other side of the body: "RightFoot" for "LeftFoot", "R_toe" for
 /// "L_toe", "heel.r" for "heel.l". More than one if several letters may be the side's; none if
-/// nothing in the name may be a side. `first_letter`: also "rfemur" for "lfemur", and therefore
-/// "rock" for "lock".
-std::vector<OtherSide> other_sides(std::string_view name, bool first_letter);
+/// nothing in the name may be a side. `within_words`: also the first or last letter of a word, as
+/// in "rfemur" for "lfemur", "HeelR" for "HeelL", and therefore "rock" for "lock".
+std::vector<OtherSide> other_sides(std::string_view name, bool within_words);
+
+/// What a name of a joint, point or column is among the others of its body.
+struct Sided {
+    Side side = Side::neither;
+    std::size_t partner = 0; ///< index of the name on the other side; its own without one
+};
+
+/// The one rule for left and right: names that differ only in the side are partners, in their order
+/// if there are several of one name; a name without a partner has the side that it states.
+std::vector<Sided> sides_of(std::span<const std::string> names);
 
 } // namespace stltsa

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
 
 #include "base/side_name.hpp"
 #include "clip/body/heading.hpp"
@@ -76,18 +75,12 @@ std::int64_t places_width(const clip::Clip& clip) {
 
 std::vector<Part> parts_of(const clip::Clip& clip) {
     std::vector<Part> parts;
-    std::map<std::string, std::int64_t> index;
-    for (std::string& name : names_of(clip)) {
-        index.emplace(name, std::ssize(parts));
-        parts.push_back({std::move(name)});
-    }
-    for (Part& part : parts) {
-        part.side = static_cast<int>(side_of_name(part.name));
-        for (const OtherSide& other : other_sides(part.name, true))
-            if (const auto found = index.find(other.name); found != index.end()) {
-                part.side = static_cast<int>(other.side);
-                part.partner = found->second;
-            }
+    const std::vector<std::string> names = names_of(clip);
+    const std::vector<Sided> sides = sides_of(names);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const std::size_t partner = sides[i].partner;
+        parts.push_back({names[i], static_cast<int>(sides[i].side),
+                         partner == i ? -1 : static_cast<std::int64_t>(partner)});
     }
     return parts;
 }

@@ -87,20 +87,12 @@ std::string some(const std::vector<Part>& parts) {
 /// Columns with the same name, such as the coordinates of a joint, are distinguished by their
 /// order. Throws Status::unsupported if there are none.
 std::map<std::int64_t, std::int64_t> right_columns(std::span<const std::string> names) {
-    std::map<std::string, std::vector<std::int64_t>> places;
-    std::vector<std::size_t> order;
-    for (std::size_t c = 0; c < names.size(); ++c) {
-        order.push_back(places[names[c]].size());
-        places[names[c]].push_back(static_cast<std::int64_t>(c));
-    }
+    const std::vector<Sided> sides = sides_of(names);
     std::map<std::int64_t, std::int64_t> right_of;
     for (std::size_t c = 0; c < names.size(); ++c)
-        for (const OtherSide& other : other_sides(names[c], true)) {
-            const auto found = places.find(other.name);
-            if (other.side == Side::left && found != places.end() &&
-                order[c] < found->second.size())
-                right_of.try_emplace(static_cast<std::int64_t>(c), found->second[order[c]]);
-        }
+        if (sides[c].side == Side::left && sides[c].partner != c)
+            right_of.emplace(static_cast<std::int64_t>(c),
+                             static_cast<std::int64_t>(sides[c].partner));
     if (right_of.empty())
         fail(Status::unsupported, "no two names differ only in the side, as LeftFoot and "
                                   "RightFoot, L_toe and R_toe do");

@@ -95,16 +95,6 @@ Matrix stacked(const std::vector<Matrix>& parts, std::int64_t rows) {
     return all;
 }
 
-/// The side that a name states; LHEE is left only if RHEE exists, too.
-Side side_by_name(const std::vector<std::string>& names, const std::string& name) {
-    if (const Side side = side_of_name(name); side != Side::neither)
-        return side;
-    for (const OtherSide& other : other_sides(name, true))
-        if (std::ranges::find(names, other.name) != names.end())
-            return other.side;
-    return Side::neither;
-}
-
 } // namespace
 
 ClipSamples prepare_clips(Clips clips, clip::PrepareOptions options, const Progress& progress) {
@@ -145,7 +135,7 @@ BodySides body_sides(const clip::Clip& clip, const SampleFacts& facts, ConstMatr
                         : clip::side_weights(clip, facts.features, facts.up, samples);
     if (sides.weights.empty())
         return sides;
-    const std::vector<std::string> owners = clip::column_owners(clip, facts.features);
+    const std::vector<Sided> names = sides_of(clip::column_owners(clip, facts.features));
     const std::vector<double> means = column_means(samples);
     sides.one.resize(sides.weights.size());
     const double* direction = nullptr; // the weights of one side
@@ -159,7 +149,7 @@ BodySides body_sides(const clip::Clip& clip, const SampleFacts& facts, ConstMatr
         const bool of_one = dot(weight, direction, 3) > 0;
         if (of_one)
             std::copy_n(weight, 3, &sides.one[c]);
-        const Side named = side_by_name(owners, owners[c]);
+        const Side named = names[c].side;
         if (named == Side::neither)
             continue;
         lefts += (named == Side::left) == of_one ? 1 : -1;

@@ -6,6 +6,7 @@ import csv
 import json
 import math
 import os
+import re
 import shutil
 import unittest
 
@@ -297,9 +298,23 @@ class Content(CommandTest):
                    if line.startswith(("  cycle ", "  step ")) and line.split()[1].isdigit()]
         self.assertEqual(len(travels), len(found["cycles"]) + len(found["steps"]))
         for line, part in zip(travels, found["cycles"] + found["steps"], strict=True):
-            self.assertEqual(line[2], str(part["side"]))
+            self.assertEqual(line[2], part["side_name"])
             self.assertEqual(line[3], f"{part['travel']['way']:.4g}")
         self.assertEqual(self.done("decompose", walk(), "-o", "-"), table)
+
+    def test_steps_name_the_side_in_every_form_of_names(self):
+        text = walk().read_text()
+        self.assertIn("JOINT LeftFoot\n", text)
+        usual = [step["side_name"] for step in self.json("decompose", walk())["steps"]]
+        self.assertEqual(set(usual), {"left", "right"})
+        path = self.folder / "renamed.bvh"
+        for left, right in ((r"l\1", r"r\1"), (r"\1.L", r"\1.R"), (r"\1L", r"\1R"), (r"Bip01 L \1", r"Bip01 R \1"),
+                            (r"mixamorig:Left\1", r"mixamorig:Right\1")):
+            renamed = re.sub(r"JOINT Left(\w+)", "JOINT " + left, text)
+            path.write_text(re.sub(r"JOINT Right(\w+)", "JOINT " + right, renamed))
+            self.assertEqual([step["side_name"] for step in self.json("decompose", path)["steps"]], usual)
+        output = self.done("decompose", path).decode()
+        self.assertRegex(output, r"a minute; (left: [\d.]+ s,\s+right|right: [\d.]+ s,\s+left): [\d.]+ s")
 
     def test_markers(self):
         found = self.json("decompose", markers())

@@ -116,6 +116,15 @@ std::string cycles_table(const stltsa::Decomposition& result) {
     return '\n' + table.text() + left_out(count, "cycles");
 }
 
+/// "left" or "right"; the number of a side whose name is unknown.
+std::string side_text(const stltsa::Decomposition& result, std::int32_t side) {
+    const std::int32_t name = result.side(side);
+    return side < 0                    ? "-"
+           : name == STLTSA_SIDE_LEFT  ? "left"
+           : name == STLTSA_SIDE_RIGHT ? "right"
+                                       : fmt::format("side {}", side);
+}
+
 /// A row for each part of the kind whose travel is known.
 std::vector<std::vector<std::string>> travel_rows(const stltsa::Decomposition& result,
                                                   std::int32_t kind, const char* name) {
@@ -129,7 +138,7 @@ std::vector<std::vector<std::string>> travel_rows(const stltsa::Decomposition& r
             continue;
         const std::int32_t side = result.part(kind, i).side;
         const double turn = std::round(10 * travel.turn) / 10 + 0.0; // no -0.0
-        rows.push_back({fmt::format("{} {}", name, i + 1), side < 0 ? "-" : std::to_string(side),
+        rows.push_back({fmt::format("{} {}", name, i + 1), side_text(result, side),
                         cell(travel.way), cell(travel.stride), cell(travel.speed),
                         std::isfinite(turn) ? fmt::format("{:.1f}", turn) : std::string("-")});
     }
@@ -181,8 +190,10 @@ void add_gait(const stltsa::Decomposition& result, Facts& facts) {
                                                 seconds(cycles.sd), 100 * cycles.cv));
     if (const auto steps = of(STLTSA_PART_STEP, -1, STLTSA_QUANTITY_TIME); steps.count > 0)
         facts.add("steps" + which,
-                  fmt::format("{:.1f} a minute; {} s on side 0, {} s on side 1", 60 / steps.mean,
+                  fmt::format("{:.1f} a minute; {}: {} s, {}: {} s", 60 / steps.mean,
+                              side_text(result, 0),
                               seconds(of(STLTSA_PART_STEP, 0, STLTSA_QUANTITY_TIME).mean),
+                              side_text(result, 1),
                               seconds(of(STLTSA_PART_STEP, 1, STLTSA_QUANTITY_TIME).mean)));
     const auto travel = [&](std::int32_t quantity) { return of(STLTSA_PART_CYCLE, -1, quantity); };
     if (const auto speed = travel(STLTSA_QUANTITY_SPEED); speed.count > 0) {

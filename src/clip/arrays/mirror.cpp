@@ -2,7 +2,6 @@
 #include "clip/arrays/mirror.hpp"
 
 #include <algorithm>
-#include <map>
 
 #include "base/side_name.hpp"
 #include "clip/body/angles.hpp"
@@ -19,27 +18,11 @@ namespace {
 
 using Partners = std::vector<std::size_t>;
 
-/// Indices by name. Files may have several points of one name; they are told apart by their order.
-std::map<std::string, Partners> places_of(const std::vector<std::string>& names) {
-    std::map<std::string, Partners> places;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        places[names[i]].push_back(i);
-    return places;
-}
-
 /// Of each name the index of that on the other side; its own without one.
 Partners partners_by_name(const std::vector<std::string>& names) {
-    const auto places = places_of(names);
-    Partners partners(names.size());
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        const Partners& same = places.at(names[i]);
-        const auto number = static_cast<std::size_t>(std::ranges::find(same, i) - same.begin());
-        partners[i] = i;
-        for (const OtherSide& other : other_sides(names[i], true))
-            if (const auto found = places.find(other.name);
-                found != places.end() && found->second.size() > number && partners[i] == i)
-                partners[i] = found->second[number];
-    }
+    Partners partners;
+    for (const Sided& sided : sides_of(names))
+        partners.push_back(sided.partner);
     for (std::size_t i = 0; i < names.size(); ++i)
         if (partners[partners[i]] != i)
             fail(Status::unsupported,

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <map>
 
 #include "base/side_name.hpp"
 #include "clip/features/point_names.hpp"
@@ -22,21 +21,18 @@ struct Pair {
 };
 
 std::vector<Pair> pairs_of(const Clip& clip) {
-    std::map<std::string, std::size_t> places;
     const auto space = static_cast<std::size_t>(point_columns(clip));
     std::vector<std::string> names;
     for (std::size_t c = 0; c + space <= clip.channel_names.size(); c += space) {
         if (clip.channel_names[c].empty())
             return {};
         names.emplace_back(point_name(clip.channel_names[c]));
-        places.emplace(names.back(), names.size() - 1);
     }
     std::vector<Pair> pairs;
+    const std::vector<Sided> sides = sides_of(names);
     for (std::size_t i = 0; i < names.size(); ++i)
-        for (const OtherSide& other : other_sides(names[i], true))
-            if (const auto found = places.find(other.name);
-                found != places.end() && found->second > i)
-                pairs.push_back({i, found->second});
+        if (sides[i].partner > i)
+            pairs.push_back({i, sides[i].partner});
     return pairs;
 }
 
