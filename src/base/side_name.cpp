@@ -10,6 +10,9 @@ namespace {
 constexpr std::array<std::array<std::string_view, 2>, 3> words = {
     {{"left", "right"}, {"Left", "Right"}, {"LEFT", "RIGHT"}}};
 
+/// Longer names have no other side: the names that it might have could fill the memory.
+constexpr std::size_t longest = 256;
+
 bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
@@ -113,6 +116,8 @@ Side side_of_name(std::string_view name) {
 
 std::vector<OtherSide> other_sides(std::string_view name, bool within_words) {
     std::vector<OtherSide> names;
+    if (name.size() > longest)
+        return names;
     for (const auto& pair : words)
         for (const std::size_t side : {0U, 1U})
             if (const std::size_t at = name.find(pair[side]); at != name.npos)

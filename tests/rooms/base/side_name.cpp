@@ -92,6 +92,11 @@ void single_and_repeated_names(void**) {
     check(twice, 3, Side::right, 2);
     check(twice, 4, Side::left, 4);
     assert_true(stltsa::sides_of({}).empty());
+    std::string left, right; // would be terabytes
+    for (int i = 0; i < 1'000'000; ++i)
+        left += "l ";
+    right = "r" + left.substr(1);
+    check({left, right}, 0, Side::left, 0);
 }
 
 } // namespace
