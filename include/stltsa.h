@@ -1514,7 +1514,8 @@ STLTSA_API const char *stltsa_live_mark_name(const stltsa_live *live,
  *           times count. If a frame has the time of the one before, or one up to 0.25 s earlier (a
  *           coarse clock, a late packet), it is left out, and the answer is that of the frame
  *           before. If time falls by more, or after more than a second without frames, the filter
- *           starts anew and settles within 0.15 s, in which no mark is passed.
+ *           starts anew and settles within 0.15 s, in which no mark is passed. E_ARGUMENT: not
+ *           finite, or beyond 1e12; the frame is not taken.
  * frame     the answer
  * If too little is known of a frame, or if it is too far away for any body, it is missing: the
  * phase goes on as before, less and less surely, and `known` is 0.

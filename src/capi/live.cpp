@@ -70,8 +70,11 @@ int32_t kind_of(const phase::LiveFrame& frame) {
 }
 
 void check_call(double seconds, const stltsa_live_frame* frame) {
-    if (!std::isfinite(seconds))
-        fail(Status::argument, "seconds is {}", seconds);
+    constexpr double most = 1e12; // beyond it frames would share their times
+    if (!(std::abs(seconds) <= most))
+        fail(Status::argument,
+             "seconds is {}; it must be within -1e12 and 1e12: count from the first frame",
+             seconds);
     capi::check_size(required(frame, "frame").size, "frame", "stltsa_live_frame");
 }
 

@@ -57,8 +57,8 @@ LivePhase::LivePhase(const LiveCycle& cycle, std::span<const double> marks)
       coordinates_(static_cast<std::size_t>(cycle.directions.rows())), whitened_(coordinates_),
       whitened_places_(place_count, cycle.directions.rows()), whitened_rests_(whitened_places_),
       squared_(place_count), squared_rest_(place_count), likely_(rate_count + 1, place_count),
-      before_(rate_count + 1, place_count), blur_(rate_count), circle_(2, place_count),
-      marks_(marks.begin(), marks.end()) {
+      moved_(place_count), blurred_(rate_count, place_count), blur_(rate_count),
+      circle_(2, place_count), marks_(marks.begin(), marks.end()) {
     for (std::int64_t g = 0; g < place_count; ++g) {
         whiten(cycle.whitening, cycle.places.row(g), whitened_places_.row(g));
         whiten(cycle.whitening, cycle.rests.row(g), whitened_rests_.row(g));
@@ -145,7 +145,7 @@ double LivePhase::nearest_place() {
 /// Every rate moves its phases on; then both blur, and a little of anything is possible.
 void LivePhase::predict(double seconds, bool is_far) {
     const double frames = seconds * usual_rate;
-    std::swap(likely_, before_);
+    const double side = std::min(phase_spread * phase_spread * frames / 2, 1.0 / 3);
     for (std::int64_t r = 0; r < rate_count; ++r) {
         double moved = rates_[static_cast<std::size_t>(r)] * seconds;
         moved = (moved - std::floor(moved)) * place_count;
@@ -154,15 +154,15 @@ void LivePhase::predict(double seconds, bool is_far) {
         for (std::int64_t g = 0; g < place_count; ++g) {
             const std::int64_t from = (g - whole + 2 * place_count) % place_count;
             const std::int64_t next = (from + place_count - 1) % place_count;
-            likely_(r, g) = (1 - part) * before_(r, from) + part * before_(r, next);
+            moved_[static_cast<std::size_t>(g)] =
+                (1 - part) * likely_(r, from) + part * likely_(r, next);
         }
-    }
-    const double side = std::min(phase_spread * phase_spread * frames / 2, 1.0 / 3);
-    for (std::int64_t r = 0; r < rate_count; ++r)
         for (std::int64_t g = 0; g < place_count; ++g)
-            before_(r, g) = (1 - 2 * side) * likely_(r, g) +
-                            side * (likely_(r, (g + 1) % place_count) +
-                                    likely_(r, (g + place_count - 1) % place_count));
+            blurred_(r, g) =
+                (1 - 2 * side) * moved_[static_cast<std::size_t>(g)] +
+                side * (moved_[static_cast<std::size_t>((g + 1) % place_count)] +
+                        moved_[static_cast<std::size_t>((g + place_count - 1) % place_count)]);
+    }
     const double rate_step =
         (most_rate - least_rate) / static_cast<double>(rate_count - 1) / rate_spread;
     for (std::int64_t d = 0; d < rate_count; ++d) {
@@ -177,7 +177,7 @@ void LivePhase::predict(double seconds, bool is_far) {
         for (std::int64_t to = 0; to < rate_count; ++to)
             if (const double share = blur_[static_cast<std::size_t>(std::abs(from - to))] / total;
                 share > least_share)
-                axpy(share, before_.row(from), likely_.row(to), place_count);
+                axpy(share, blurred_.row(from), likely_.row(to), place_count);
     }
     rest(seconds);
     double total = 0;

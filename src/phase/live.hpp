@@ -59,7 +59,9 @@ class LivePhase {
     std::vector<double> both_, coordinates_, whitened_;
     Matrix whitened_places_, whitened_rests_;
     std::vector<double> squared_, squared_rest_; ///< distance of the frame from each place
-    Matrix likely_, before_;                     ///< rates x places; the last row rests
+    Matrix likely_;                              ///< rates x places; the last row rests
+    std::vector<double> moved_;                  ///< a row of likely_ after a step
+    Matrix blurred_;                             ///< all rows but the last, moved and blurred
     std::vector<double> rates_, prior_, blur_;
     Matrix circle_;      ///< cosine and sine of each place
     double outside_ = 0; ///< squared distance from the principal directions

@@ -176,6 +176,78 @@ static void streams_survive(void** state) {
     closed(w);
 }
 
+/* What was before leaves no trace when time falls by more than 0.25 s, or after a second. */
+static void a_restarted_stream_is_a_new_one(void** state) {
+    (void)state;
+    walk w = opened();
+    const double ends[] = {0.26, 100, -1.1}; /* the last time before, after the first one then */
+    for (size_t k = 0; k < sizeof ends / sizeof *ends; ++k) {
+        stltsa_live *anew = started(w), *fresh = NULL;
+        must(stltsa_live_new(w.model, &fresh));
+        for (int64_t i = 400; i < w.frames; ++i) /* the walk ends, and the body stands */
+            pushed(anew, w, i, 10 + ends[k] - (double)(w.frames - 1 - i) / 120);
+        for (int64_t i = 150; i < 300; ++i) {
+            const double seconds = 10 + (double)(i - 150) / 120;
+            const stltsa_live_frame a = pushed(anew, w, i, seconds),
+                                    b = pushed(fresh, w, i, seconds);
+            assert_true(a.phase == b.phase && a.rate_hz == b.rate_hz);
+            assert_true(a.distance == b.distance && a.confidence == b.confidence);
+        }
+        stltsa_live_free(anew);
+        stltsa_live_free(fresh);
+        must(stltsa_model_keep_cycle(w.model, w.phase)); /* without the mark */
+    }
+    closed(w);
+}
+
+/* The longer nothing is known, the more likely the body has stopped: from frame to frame a little.
+ */
+static void rest_becomes_likely_evenly(void** state) {
+    (void)state;
+    walk w = opened();
+    stltsa_live* live = started(w);
+    double rate = 0, step = 0;
+    for (int64_t i = 200; i < 300; ++i)
+        rate = pushed(live, w, i, (double)i / 120).rate_hz;
+    w.features[300 * w.count] = NAN;
+    for (int64_t i = 300; i < 312; ++i) {
+        const double next = pushed(live, w, 300, (double)i / 120).rate_hz;
+        assert_true(next < rate);
+        if (i > 300)
+            assert_below(fabs(rate - next - step), 0.3 * step, "change of the step of the rate");
+        step = rate - next;
+        rate = next;
+    }
+    stltsa_live_free(live);
+    closed(w);
+}
+
+/* A time that cannot be one is an error, and the frame is not taken. */
+static void absurd_times_leave_no_trace(void** state) {
+    (void)state;
+    walk w = opened();
+    const double absurd[] = {NAN, INFINITY, -INFINITY, 1e15, -1e13, 1e300};
+    stltsa_live *live = started(w), *other = NULL;
+    must(stltsa_live_new(w.model, &other));
+    for (int64_t i = 150; i < 400; ++i) {
+        const stltsa_in row = packed_in(w.features + 400 * w.count, 1, w.count);
+        stltsa_live_frame none;
+        none.size = sizeof none;
+        assert_int_equal(stltsa_live_push(live, absurd[i % 6], &row, &none), STLTSA_E_ARGUMENT);
+        assert_non_null(strstr(stltsa_last_error(), "count from the first frame"));
+        const stltsa_live_frame a = pushed(live, w, i, (double)i / 120),
+                                b = pushed(other, w, i, (double)i / 120);
+        assert_memory_equal(&a, &b, sizeof a);
+    }
+    for (int64_t i = 150; i < 400; ++i) { /* as coarse as the clock may be */
+        const stltsa_live_frame frame = pushed(live, w, i, -1e12 + (double)i / 120);
+        assert_true(isfinite(frame.cycles) && frame.confidence <= 1.0001);
+    }
+    stltsa_live_free(live);
+    stltsa_live_free(other);
+    closed(w);
+}
+
 /* Coarse clocks give several frames one time, late packets an earlier one. */
 static void clocks_may_be_coarse(void** state) {
     (void)state;
@@ -365,6 +437,9 @@ int main(int argc, char** argv) {
         cmocka_unit_test(no_mark_is_passed_before_the_filter_settles),
         cmocka_unit_test(streams_are_independent),
         cmocka_unit_test(streams_survive),
+        cmocka_unit_test(a_restarted_stream_is_a_new_one),
+        cmocka_unit_test(rest_becomes_likely_evenly),
+        cmocka_unit_test(absurd_times_leave_no_trace),
         cmocka_unit_test(clocks_may_be_coarse),
         cmocka_unit_test(huge_numbers_do_no_harm),
         cmocka_unit_test(confidence_falls_while_frames_are_missing),
