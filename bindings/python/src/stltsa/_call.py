@@ -73,6 +73,9 @@ class Call:
 def owned(kind: str, pointer: Any) -> Any:
     """Return a handle that is freed when it is no longer referenced.
 
+    C calls let other Python threads run, and the library does not lock its handles. So a handle
+    that other threads can see is not changed, except that of a Live, which has a lock.
+
     Parameters
     ----------
     kind : str

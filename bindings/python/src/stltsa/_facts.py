@@ -81,7 +81,8 @@ class Described:
         return float(self._fact(name)[0])
 
     def _values(self, key: _Key) -> tuple[Any, ...]:
-        info = getattr(lib, f"stltsa_{self._kind}_info")(self._handle)
+        handle = self._handle  # owns the facts, and may be replaced by another thread
+        info = getattr(lib, f"stltsa_{self._kind}_info")(handle)
         count = lib.stltsa_info_count(info, key.key)
         return tuple(key.value(info, index) for index in range(count))
 

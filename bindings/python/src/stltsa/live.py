@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import threading
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -41,7 +42,8 @@ class Live:
     """Follow one stream of frames with a model that keeps a mean cycle.
 
     Push one frame after another, each in the form in which it comes: points, rotations of joints,
-    features, or frames of a clip. No answer depends on later frames.
+    features, or frames of a clip. No answer depends on later frames. Threads may share a stream: a
+    lock lets one frame in at a time, so that pushes wait for each other.
 
     Parameters
     ----------
@@ -69,7 +71,7 @@ class Live:
         out = ffi.new("stltsa_live **")
         check(lib.stltsa_live_new(model._handle, out))
         self._handle = owned("live", out)
-        self._frame = ffi.new("stltsa_live_frame *", {"size": ffi.sizeof("stltsa_live_frame")})
+        self._one = threading.RLock()  # a signal handler may push during a push
         self.marks: tuple[str, ...] = texts(
             lib.stltsa_live_mark_count, lib.stltsa_live_mark_name, self._handle
         )
@@ -85,7 +87,7 @@ class Live:
             goes on as before.
         seconds : float
             Time of the frame; rises from call to call. If a frame has the time of the one before,
-            or one up to 0.25 s earlier, it is left out.
+            or one up to 0.25 s earlier, it is left out. At most 1e12 either way.
         """
         row = _numbers(features, "features").reshape(1, -1)
         return self._answer(lib.stltsa_live_push, seconds, read_from(row))
@@ -179,8 +181,9 @@ class Live:
         return self._answer(lib.stltsa_live_push_frame, seconds, clip._handle, index)
 
     def _answer(self, push: Any, seconds: float, *frame: Any) -> LiveFrame:
-        check(push(self._handle, seconds, *frame, self._frame))
-        raw = self._frame
+        raw = ffi.new("stltsa_live_frame *", {"size": ffi.sizeof("stltsa_live_frame")})
+        with self._one:
+            check(push(self._handle, seconds, *frame, raw))
         passed = tuple(name for i, name in enumerate(self.marks) if raw.passed >> i & 1)
         return LiveFrame(
             raw.phase,

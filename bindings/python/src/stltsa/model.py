@@ -121,7 +121,7 @@ def _as_hints(hints: Any, rows: int) -> IntArray | None:
 class Model(Described):
     """A fitted model; made by :func:`fit`, :meth:`load` and unpickling.
 
-    Only :meth:`keep_cycle` changes it.
+    Only :meth:`keep_cycle` changes it, at once for all threads that use it.
     """
 
     _kind = "model"
@@ -376,10 +376,13 @@ class Model(Described):
         stltsa.DegenerateError
             Nothing is left to compare a stream with, because all columns only drift.
         """
-        check(lib.stltsa_model_keep_cycle(self._handle, phase._handle))
+        # A copy, because other threads and calls with progress functions may be using the handle.
+        changed = Model.from_bytes(self.to_bytes())._handle
+        check(lib.stltsa_model_keep_cycle(changed, phase._handle))
         for name, frame in (marks or {}).items():
             text = c_text(name, "the name of a mark")
-            check(lib.stltsa_model_keep_mark(self._handle, phase._handle, frame, text))
+            check(lib.stltsa_model_keep_mark(changed, phase._handle, frame, text))
+        self._handle = changed
 
     @property
     def has_cycle(self) -> bool:
