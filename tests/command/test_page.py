@@ -7,11 +7,12 @@ import json
 import math
 import re
 import shlex
+import shutil
 import subprocess
 import unittest
 import zlib
 
-from common import WALKER, CommandTest, circle, walk, walk_below_a_joint
+from common import WALKER, CommandTest, circle, run, walk, walk_below_a_joint
 
 HOSTILE = "</script><!--<script>\u2028'\"&\\"
 
@@ -208,6 +209,20 @@ class Page(Pages):
         self.assertEqual([part["name"] for part in data["body"]["parts"]], names)
         self.assertEqual(data["decomposition"]["clip"]["path"], str(clip))
         self.assertIn("'\\''", data["command"])  # quoted for a shell
+
+    @unittest.skipUnless(shutil.which("node"), "node is not installed")
+    def test_cells_of_tables_are_the_commands(self):
+        """The rule of summary.csv, whose first column has names of files."""
+        (script,) = re.findall(r"const isFormula.*?\nconst csvText[^\n]*\n", self.page(walk()), re.S)
+        names = ["a;=1+1", "a\tb", "a\rb", 'a"b', "a,b", "=1+1", "'-1", "plain", "+a;b"]
+        call = f"process.stdout.write(csvText({json.dumps(names)}.map(name => [name, -1.5])))"
+        shown = subprocess.run(["node", "-e", script + call], stdout=subprocess.PIPE, check=True)
+        run("batch", *names, "--out", "out", cwd=self.folder)
+        summary = (self.folder / "out" / "summary.csv").read_bytes()
+        cells = [line.removesuffix(b",-1.5") for line in shown.stdout.split(b"\n")[:-1]]
+        self.assertEqual(len(cells), len(names))
+        for cell in cells:
+            self.assertIn(b"\n" + cell + b",STLTSA_E_IO,", summary)
 
     def test_points_and_matrices(self):
         self.assertEqual(self.data(self.page(circle(), "--fps", "30"))["body"]["kind"], "columns")

@@ -77,7 +77,7 @@ std::string wrapped(std::string_view text, std::size_t columns) {
 
 std::string csv_cell(const std::string& text) {
     std::string cell = stltsa::text_cell(text);
-    if (cell.find_first_of(",\"\n\r") == cell.npos)
+    if (cell.find_first_of(",;\t\"\n\r") == cell.npos)
         return cell;
     std::string quoted = "\"";
     for (const char c : cell)

@@ -17,7 +17,8 @@ std::vector<std::string> wrapped(std::string_view text,
 /// The same for a number of characters per line, as one text.
 std::string wrapped(std::string_view text, std::size_t columns);
 
-/// A cell of a CSV file: in quotes if it needs them (RFC 4180), and never a formula (base/formula).
+/// A cell of a CSV file: in quotes if it needs them (RFC 4180) or would where semicolons or tabs
+/// separate cells, and never a formula (base/formula). The pages and Python have the same rule.
 std::string csv_cell(const std::string& text);
 
 /// Whether a name ends in this lower-case suffix, ignoring case.

@@ -49,9 +49,12 @@ function save(name, content, type) {
 }
 
 const fileStem = (path, other) => (path || other).split("/").pop().replace(/[^\w.-]+/g, "_") || other;
-// Cells that a spreadsheet would take for a formula are quoted and begin with an apostrophe, as in the library's files.
+// As in the command's tables: cells that a spreadsheet would take for a formula begin with an apostrophe, and those with a separator of any country are quoted.
 const isFormula = cell => /^'*[=+@\t\r-]/.test(cell);
-const csvCell = cell => typeof cell !== "string" ? String(cell) : /[",\n\r]/.test(cell) || isFormula(cell) ? '"' + (isFormula(cell) ? "'" : "") + cell.replace(/"/g, '""') + '"' : cell;
+const csvCell = cell => {
+  const text = typeof cell === "string" && isFormula(cell) ? "'" + cell : String(cell);
+  return /[,;\t"\n\r]/.test(text) ? '"' + text.replace(/"/g, '""') + '"' : text;
+};
 const csvText = rows => rows.map(row => row.map(csvCell).join(",") + "\n").join("");
 
 function table(caption, heads, rows, textColumns = 1) {

@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import os
 from typing import TYPE_CHECKING, Any
 
@@ -26,17 +24,20 @@ def names(prefix: str) -> dict[int, str]:
 
 
 def csv_text(head: Iterable[str], lines: Iterable[Iterable[Any]]) -> str:
-    """Return a CSV table; a text that a spreadsheet would evaluate gets an apostrophe before it."""
+    """Return a CSV table with the cells of the command's tables.
 
-    def cell(value: Any) -> Any:
-        formula = isinstance(value, str) and value.lstrip("'").startswith(tuple("=+-@\t\r"))
-        return f"'{value}" if formula else value
+    A text that a spreadsheet would evaluate gets an apostrophe before it, and one with a separator
+    of any country is quoted.
+    """
 
-    out = io.StringIO()
-    writer = csv.writer(out, lineterminator="\n")
-    writer.writerow(head)
-    writer.writerows(map(cell, line) for line in lines)
-    return out.getvalue()
+    def cell(value: Any) -> str:
+        text = str(value)
+        if isinstance(value, str) and text.lstrip("'").startswith(tuple("=+-@\t\r")):
+            text = f"'{text}"
+        quoted = text.replace('"', '""')
+        return f'"{quoted}"' if any(c in text for c in ',;\t"\n\r') else text
+
+    return "".join(",".join(map(cell, line)) + "\n" for line in (head, *lines))
 
 
 def c_text(text: Any, what: str) -> Any:
