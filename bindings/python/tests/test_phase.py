@@ -274,6 +274,8 @@ def test_errors_say_what_is_wrong(phase):
         phase.events(2)
     with pytest.raises(stltsa.ArgumentError, match="label Z has neither cycles nor repetitions"):
         phase.resample(np.zeros(len(phase.values)), label="Z")
+    with pytest.raises(ValueError, match="no motion has so many labels"):
+        phase.resample(np.zeros(len(phase.values)), label="ZZZZZZZZZZZZ")
     with pytest.raises(ValueError, match="letters such as 'A'"):
         phase.resample(np.zeros(len(phase.values)), label=0)
     with pytest.raises(stltsa.ShapeError, match="signals has 3 rows"):

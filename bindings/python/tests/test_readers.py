@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """C3D, TRC, MOT, AMASS files and datasets of `movement`, as clips."""
 
+import contextlib
+import io
 import json
+import re
+import zipfile
 
 import numpy as np
 import pytest
@@ -159,6 +163,66 @@ def test_amass(tmp_path):
         stltsa.read_clip(tmp_path / "other.npz")
 
 
+AMASS = {"poses": np.ones((50, 66)), "trans": np.zeros((50, 3)), "mocap_framerate": 60.0}
+NOT_FINITE = np.where(np.arange(50)[:, np.newaxis] == 7, np.nan, AMASS["poses"])
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"mocap_framerate": [60.0, 30.0]}, r"mocap_framerate is \[60. 30.\], and must be one"),
+        ({"mocap_framerate": "60"}, "mocap_framerate is '60', and must be one number"),
+        ({"mocap_framerate": np.nan}, "mocap_framerate is nan"),
+        ({"mocap_framerate": 1e30}, "mocap_framerate is 1"),
+        ({"poses": np.ones((50, 5))}, r"poses is 50 x 5, and must be 50 \(as trans\) x 3 n"),
+        ({"poses": np.ones((49, 66))}, r"poses is 49 x 66, and must be 50 \(as trans\) x 3 n"),
+        ({"poses": np.ones((50, 0))}, "poses is 50 x 0, and must be frames x n"),
+        ({"poses": np.ones((0, 66))}, "poses is 0 x 66"),
+        ({"poses": np.ones((50, 22, 3))}, "poses is 50 x 22 x 3, and must be frames x n"),
+        ({"poses": np.array(1.0)}, "poses is one number"),
+        ({"poses": AMASS["poses"] + 1j}, "poses holds complex128, and must hold real numbers"),
+        ({"poses": [["a"] * 66] * 50}, "poses holds <U1, and must hold real numbers"),
+        ({"poses": np.full((50, 66), None)}, "the file cannot be read: Object arrays"),
+        ({"poses": NOT_FINITE}, "poses has a number in frame 7 that is NaN or beyond 1e[+]100"),
+        ({"poses": np.full((50, 66), 1e300)}, "poses has a number in frame 0"),
+        ({"trans": np.zeros((50, 2))}, "trans is 50 x 2, and must be frames x 3"),
+        ({"poses": np.zeros((20000, 600))}, r"poses.npy would have 96000128 bytes, of which \d+"),
+    ],
+)
+def test_amass_files_with_other_numbers(tmp_path, changes, said):
+    path = tmp_path / "walk.npz"
+    np.savez_compressed(path, **{**AMASS, **changes})
+    with pytest.raises(stltsa.FormatError, match=f"^{re.escape(str(path))}: {said}"):
+        stltsa.read_clip(path)
+
+
+def test_broken_archives(tmp_path):
+    """Whatever the parts of an archive raise; and sizes that are not true take no memory."""
+    path = tmp_path / "walk.npz"
+    poses = np.random.default_rng(0).normal(size=(50, 66))
+    np.savez_compressed(path, **{**AMASS, "poses": poses})
+    whole, random = path.read_bytes(), np.random.default_rng(1)
+    for _ in range(300):
+        changed = np.frombuffer(whole, np.uint8).copy()
+        changed[random.integers(len(whole), size=2)] = random.integers(256, size=2)
+        changed[random.integers(300)] ^= 1 << random.integers(8)
+        path.write_bytes(changed)
+        with contextlib.suppress(stltsa.FormatError):  # some bytes do not matter
+            stltsa.read_clip(path)
+    with zipfile.ZipFile(path, "w") as archive:
+        for name, values in AMASS.items():
+            data = io.BytesIO()
+            np.save(data, values)
+            text = data.getvalue().replace(b"(50, 66), }        ", b"(500000000000, 66), }")[:128]
+            archive.writestr(f"{name}.npy", text + data.getvalue()[128:])
+    with pytest.raises(stltsa.FormatError, match="the file cannot be read"):
+        stltsa.read_clip(path)
+    np.save(tmp_path / "a.npy", poses)
+    (tmp_path / "a.npy").rename(path)
+    with pytest.raises(stltsa.FormatError, match="it is no npz archive"):
+        stltsa.read_clip(path)
+
+
 def dataset(individuals=("mouse1", "mouse2")):
     """Return a dataset as `movement` makes it: two individuals, the second twice as fast."""
     xarray = pytest.importorskip("xarray")
@@ -195,6 +259,29 @@ def test_movement():
         stltsa.decompose(data, individual="cat")
     with pytest.raises(TypeError, match="dataset of several individuals"):
         stltsa.decompose(np.ones((100, 3)), fps=30, individual="mouse1")
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        (lambda d: d.assign(position=d.position + 1j), "position holds complex128"),
+        (lambda d: d.assign(position=d.position.astype(str)), "position holds <U"),
+        (lambda d: d.assign(confidence=d.confidence + 1j), "confidence holds complex128"),
+        (lambda d: d.isel(space=0, drop=True), r"position has the dimensions .*and must have"),
+        (lambda d: d.rename(keypoint="part"), r"position has the dimensions .*and must have"),
+        (lambda d: d.assign(confidence=d.confidence.isel(time=0)), "confidence has the dimensions"),
+        (lambda d: d.isel(space=[0]), "position is 300 x 4 x 1, and must be"),
+        (lambda d: d.isel(time=[]), "position is 0 x 4 x 2, and must be"),
+        (lambda d: d.assign_attrs(fps="30 Hz"), "fps is '30 Hz', and must be"),
+        (lambda d: d.assign_attrs(fps=[30, 25]), r"fps is \[30 25\], and must be"),
+        (lambda d: d.assign_attrs(fps=-30), "fps is -30, and must be"),
+        (lambda d: d.assign_attrs(fps=None).assign_coords(time=["a"] * 300), "time holds <U1"),
+    ],
+)
+def test_datasets_with_other_numbers(change, said):
+    changed = change(dataset(("one",)))
+    with pytest.raises(stltsa.FormatError, match=f"^the dataset: {said}"):
+        stltsa.decompose(changed)
 
 
 def test_models_of_datasets_and_points():

@@ -140,6 +140,9 @@ def letters(label: int) -> str:
     return text
 
 
+_MOST_LABELS = 2**31 - 1  # numbers of labels are int32_t
+
+
 def number_of(label: str) -> int:
     """Return the number of a label: 0 for A, 26 for AA."""
     if not (isinstance(label, str) and label.isascii() and label.isalpha() and label.isupper()):
@@ -147,6 +150,8 @@ def number_of(label: str) -> int:
     number = 0
     for letter in label:
         number = 26 * number + ord(letter) - ord("A") + 1
+    if number > _MOST_LABELS:
+        raise ValueError(f"label is {label!r}, and no motion has so many labels")
     return number - 1
 
 

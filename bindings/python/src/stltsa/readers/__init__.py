@@ -18,6 +18,8 @@ import importlib
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from .._native import lib
 from ..errors import FormatError
 
@@ -39,9 +41,18 @@ def is_points(value: Any) -> bool:
     return getattr(value, "ndim", 0) == 3 and value.shape[2] in (2, 3)
 
 
-def bad(path: Path, text: str) -> FormatError:
-    """Return the error for a file that is not what its suffix says."""
-    return FormatError(f"{path}: {text}", lib.STLTSA_E_FORMAT, "STLTSA_E_FORMAT")
+def bad(what: Path | str, text: str) -> FormatError:
+    """Return the error for a file that is not what its suffix says, or for other wrong data."""
+    return FormatError(f"{what}: {text}", lib.STLTSA_E_FORMAT, "STLTSA_E_FORMAT")
+
+
+def rate_of(what: Path | str, name: str, value: Any) -> float:
+    """Return the frames per second that a file or a dataset gives."""
+    rate = np.asarray(value)
+    if rate.size != 1 or rate.dtype.kind not in "fiu" or not 1e-9 <= rate.item() <= 1e6:
+        shown = np.array2string(rate, threshold=4)
+        raise bad(what, f"{name} is {shown}, and must be one number of frames per second")
+    return float(rate.item())
 
 
 @contextmanager

@@ -7,16 +7,18 @@ The usual proportions of an adult stand in for them; give `offsets` to use those
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-from zipfile import BadZipFile
+from typing import TYPE_CHECKING, Any
+from zipfile import is_zipfile
 
 import numpy as np
 
 from ..clip import Clip
-from . import bad, said_of
+from . import bad, rate_of, said_of
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
     from pathlib import Path
+    from zipfile import ZipInfo
 
     import numpy.typing as npt
 
@@ -34,24 +36,77 @@ _BODY = (("pelvis", -1, (0, 0.95, 0)), ("left_hip", 0, (0.07, -0.09, 0)),
     ("left_wrist", 18, (0.25, 0, 0)), ("right_wrist", 19, (-0.25, 0, 0)))  # fmt: skip
 
 
-def read(path: Path, fps: float | None = None, offsets: npt.ArrayLike | None = None) -> Clip:
-    """Return the clip of a file; `offsets`: of the 22 body joints, shape (22, 3)."""
-    with said_of(path, ValueError, BadZipFile, EOFError), np.load(path) as file:
-        rates = [file[k] for k in ("mocap_framerate", "mocap_frame_rate") if k in file]
+# Poses are noisy and shrink little when they are compressed. An array is refused if it is larger
+# than this, and so many times as large as what is stored of it: it would fill the memory.
+_MOST_BYTES, _MOST_SHRUNK = 64 * 2**20, 100
+_MOST = 1e100  # the square of a larger number may be infinite
+
+
+def _check_sizes(path: Path, members: Iterable[ZipInfo]) -> None:
+    """Raise if a small file declares large arrays, before any of them is read."""
+    for member in members:
+        if member.file_size > max(_MOST_BYTES, _MOST_SHRUNK * member.compress_size):
+            raise bad(
+                path,
+                f"{member.filename} would have {member.file_size} bytes, of which "
+                f"{member.compress_size} are stored: poses do not shrink so much",
+            )
+
+
+def _numbers(path: Path, file: Any, name: str, columns: int = 0) -> npt.NDArray[Any]:
+    """Return an array of the file, checked: frames in rows, and `columns` columns if given."""
+    values: npt.NDArray[Any] = file[name]
+    if values.dtype.kind not in "fiu":
+        raise bad(path, f"{name} holds {values.dtype}, and must hold real numbers")
+    if values.ndim != 2 or not values.size or (columns and values.shape[1] != columns):
+        shape = " x ".join(map(str, values.shape))
+        raise bad(path, f"{name} is {shape or 'one number'}, and must be frames x {columns or 'n'}")
+    wrong = np.flatnonzero(~(np.abs(values) <= _MOST).all(axis=1))
+    if len(wrong):
+        raise bad(path, f"{name} has a number in frame {wrong[0]} that is NaN or beyond {_MOST}")
+    return values
+
+
+def _rate(path: Path, file: Any) -> float | None:
+    """Return the frames per second; None: the file does not say."""
+    names = [name for name in ("mocap_framerate", "mocap_frame_rate") if name in file]
+    return rate_of(path, names[0], file[names[0]]) if names else None
+
+
+def _arrays(
+    path: Path, fps: float | None
+) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64], float]:
+    """Return the rotations of the body, the way of its root, and the rate."""
+    if not is_zipfile(path):
+        raise bad(path, "the file cannot be read: it is no npz archive")
+    with np.load(path) as file:
+        _check_sizes(path, file.zip.infolist())
+        rate = fps or _rate(path, file)
         # SMPL-X files may have the body in parts.
         parts = [p for p in (("poses",), ("root_orient", "pose_body")) if set(p) <= set(file.files)]
-        if not parts or "trans" not in file or not (rates or fps):
+        if not parts or "trans" not in file or not rate:
             wanted = "poses (or root_orient and pose_body), trans and mocap_framerate"
             has = ", ".join(file.files)
             raise bad(path, f"an AMASS file has the arrays {wanted}; this one has {has}")
-        poses = np.concatenate([file[name] for name in parts[0]], axis=1)
-        turns = poses[:, : 3 * len(_BODY)].astype(np.float64)
-        way = np.asarray(file["trans"], dtype=np.float64)
+        arrays = {name: _numbers(path, file, name) for name in parts[0]}
+        way = _numbers(path, file, "trans", 3)
+    for name, array in arrays.items():
+        if len(array) != len(way) or array.shape[1] % 3:
+            shape = " x ".join(map(str, array.shape))
+            raise bad(path, f"{name} is {shape}, and must be {len(way)} (as trans) x 3 n")
+    turns = np.concatenate(list(arrays.values()), axis=1)[:, : 3 * len(_BODY)]
+    return turns.astype(np.float64), way.astype(np.float64), rate
+
+
+def read(path: Path, fps: float | None = None, offsets: npt.ArrayLike | None = None) -> Clip:
+    """Return the clip of a file; `offsets`: of the 22 body joints, shape (22, 3)."""
+    with said_of(path, Exception):  # a broken archive raises whatever its parts meet first
+        turns, way, rate = _arrays(path, fps)
     turns = turns.reshape(len(turns), -1, 3)  # axis times angle
     half = np.linalg.norm(turns, axis=2, keepdims=True) / 2
     quaternions = np.concatenate([np.cos(half), np.sinc(half / np.pi) / 2 * turns], axis=2)
     names, parents, usual = zip(*_BODY[: quaternions.shape[1]], strict=True)
     places = np.asarray(usual if offsets is None else offsets, dtype=np.float64)
     return Clip.from_skeleton(
-        names, parents, places, quaternions, fps or float(rates[0]), root_positions=way + places[0]
+        names, parents, places, quaternions, rate, root_positions=way + places[0]
     )
