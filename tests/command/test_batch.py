@@ -6,17 +6,45 @@ import json
 import math
 import os
 import random
+import re
 import shutil
 import struct
 import unittest
 
-from common import CommandTest, plain_environment, run, walk
+from common import CommandTest, plain_environment, run, two_motions, walk
 
 READER = """#!/bin/sh
 case $3 in
 *.c3d) cat ARRAYS ;;
 *) printf '%s: has no points' "$3"; exit 3 ;;
 esac
+"""
+
+
+ASF = """:version 1.10
+:name two bones
+:units
+  mass 1.0
+  length 1.0
+  angle deg
+:root
+  order TX TY TZ RX RY RZ
+  axis XYZ
+  position 0 90 0
+  orientation 0 0 0
+:bonedata
+  begin
+    id 1
+    name leg
+    direction 0 -1 0
+    length 40
+    axis 0 0 0 XYZ
+    dof rx ry rz
+  end
+:hierarchy
+  begin
+    root leg
+  end
 """
 
 
@@ -147,12 +175,98 @@ class Batch(CommandTest):
         self.assertIn("0 decomposed, 3 kept from before, 1 failed", text)
         self.assertIn("\n  clips/bad.bvh  line 1: a BVH file must begin", text)
 
-    def test_a_folder_of_results_that_cannot_be_written(self):
-        full = self.folder / "out"
-        full.mkdir()
-        (full / "clips__walk.bvh.json").mkdir()
-        line = ("batch", "clips", "--out", full, "--fps", "30")
+    def test_damaged_results_are_made_anew(self):
+        self.batch()
+        before, path = self.files(), self.out / "clips__walk.bvh.json"
+        whole = path.read_bytes()
+        frames = re.search(rb'"frames":\d+', whole)[0]
+        for damaged in (
+            b"",
+            b"{}",
+            whole[:-1],
+            whole[200:],
+            whole.replace(b'"segments"', b'\0\0segments"', 1),
+            whole.replace(frames, b'"frames":9', 1),
+            whole.replace(b'"cycles":', b'"Cycles":', 1),
+            whole.replace(b'"options":{', b'"options":[', 1),
+            whole.replace(b'"source":"', b'"source":"\xff', 1),
+            whole.replace(b'"source":"../clips/walk.bvh"', b'"source":7', 1),
+            whole.replace(b'"source":"../clips/walk.bvh"', b'"source":"../clips/wall.bvh"', 1),
+            b'{"batch":1,"batch":' + 100000 * b"[" + b"}\n",
+        ):
+            path.write_bytes(damaged)
+            self.assertIn("1 decomposed, 2 kept", self.batch(), damaged[-300:])
+            self.assertEqual(self.files(), before)
+
+    def test_what_is_no_result_is_in_its_place(self):
+        """Only this clip fails."""
+        place, name = self.out / "clips__walk.bvh.json", "clips/walk.bvh"
+        self.out.mkdir()
+        for make, said in (
+            (place.mkdir, "is no file"),
+            (lambda: os.mkfifo(place), "is no file"),
+            (lambda: place.symlink_to(self.clips), "is no file"),
+            (lambda: place.symlink_to(place), "cannot write"),
+            (lambda: place.symlink_to("missing/folder"), "cannot write"),
+        ):
+            make()
+            self.assertIn("1 failed", self.batch(status=5))
+            rows = {row["path"]: row for row in self.summary()}
+            self.assertEqual(rows.pop(name)["status"], "STLTSA_E_IO")
+            self.assertEqual([row["status"] for row in rows.values()], ["done", "done"])
+            self.assertIn(said, self.batch(status=5))
+            (place.rmdir if place.is_dir() and not place.is_symlink() else place.unlink)()
+
+    def test_a_summary_that_cannot_be_written(self):
+        """Said at once, before hours of work."""
+        (self.out / "summary.csv").mkdir(parents=True)
+        line = ("batch", "clips", "--out", self.out, "--fps", "30")
         self.assertIn("cannot write", self.fails(1, *line, cwd=self.folder))
+        self.assertEqual(self.files(), {})
+
+    def test_one_path_from_two_folders(self):
+        """The result of another clip stays; it may be replaced when that clip is gone."""
+        for place in ("here", "there"):
+            (self.folder / place).mkdir()
+            shutil.copy(walk(120 if place == "here" else 60), self.folder / place / "walk.bvh")
+
+        def batch(place, *flags):
+            line = ("batch", "walk.bvh", "--out", self.out, "--json", *flags)
+            told = json.loads(run(*line, cwd=self.folder / place).stdout)
+            return told["kept"], told["failed"]
+
+        self.assertEqual(batch("here"), (0, 0))
+        before = (self.out / "walk.bvh.json").read_bytes()
+        self.assertEqual(batch("there"), (0, 1))
+        (row,) = self.summary()
+        self.assertEqual(row["status"], "STLTSA_E_IO")
+        self.assertIn(f"is that of another clip, {self.folder}/here/walk.bvh", row["error"])
+        self.assertEqual((self.out / "walk.bvh.json").read_bytes(), before)
+        self.assertEqual(batch("here"), (1, 0))
+        self.assertEqual(batch("here", "--segments", "1"), (0, 0))
+        (self.folder / "here" / "walk.bvh").rename(self.folder / "here" / "old.bvh")
+        self.assertEqual(batch("there"), (0, 0))
+        self.assertEqual(batch("there"), (1, 0))
+        (self.folder / "there").rename(self.folder / "moved")
+        self.assertEqual(batch("moved"), (1, 0))
+
+    def test_confidence_of_the_longest_segment(self):
+        clips = [f"{two_motions()}:250-720", f"{two_motions()}:0-500"]
+        self.done("batch", *clips, "--out", self.out, "--fps", "30")
+        for row in self.summary():
+            segments = self.json("decompose", row["path"], "--fps", "30")["segments"]
+            segments.sort(key=lambda segment: segment["end_s"] - segment["begin_s"])
+            self.assertNotEqual(segments[0]["confidence"], segments[-1]["confidence"])
+            self.assertEqual(float(row["confidence"]), segments[-1]["confidence"])
+
+    def test_cells_that_a_spreadsheet_would_split(self):
+        """Semicolons and tabs separate cells in some countries and programs."""
+        for name in ("a\rb", "a;=1+1", "a\tb", 'a"b', "a,b"):
+            (self.folder / f"{name}.bvh").write_text("hello\n")
+            self.batch(f"{name}.bvh", status=5)
+            quoted = name.replace('"', '""')
+            begin = f'"{quoted}.bvh",STLTSA_E_FORMAT,'.encode()
+            self.assertIn(b"\n" + begin, (self.out / "summary.csv").read_bytes())
 
     def test_a_result_whose_name_is_too_long_is_a_row(self):
         """At most 255 bytes, as long as the file systems of Linux have it."""
@@ -215,6 +329,60 @@ class Batch(CommandTest):
             (self.folder / "empty").mkdir(exist_ok=True)
             self.assertIn(hint, self.fails(2, "batch", *line, "--out", self.out))
         self.assertFalse(self.out.exists())
+
+
+class Skeletons(CommandTest):
+    """AMC files, whose skeletons are other files."""
+
+    def setUp(self):
+        super().setUp()
+        self.clips = self.folder / "clips"
+        self.clips.mkdir()
+        self.asf = self.clips / "02.asf"
+        self.asf.write_text(ASF)
+        rows = [f"{i + 1}\nroot 0 0 0 0 0 0\nleg {20 * math.sin(i / 8):.4f} 0 0\n" for i in range(300)]
+        text = ":FULLY-SPECIFIED\n:DEGREES\n" + "".join(rows)
+        (self.clips / "02_01.amc").write_text(text)
+        (self.clips / "02_02.amc").write_text(text)
+
+    def batch(self, *arguments):
+        line = ("batch", "clips", "--out", "out", "--fps", "60", "--json", *arguments)
+        result = run(*line, cwd=self.folder)
+        with (self.folder / "out" / "summary.csv").open(newline="") as file:
+            status = [row["status"] for row in csv.DictReader(file)]
+        return json.loads(result.stdout)["kept"], status
+
+    def test_what_lies_beside_a_clip(self):
+        os.mkfifo(self.clips / "pipe.asf")
+        (self.clips / "folder.ASF").mkdir()
+        (self.clips / "dangling.asf").symlink_to("nothing")
+        (self.clips / "loop.asf").symlink_to("loop.asf")
+        (self.clips / ".hidden.asf").write_text("being written")
+        self.assertEqual(self.batch(), (0, ["done", "done"]))
+        (self.clips / ".hidden.asf").unlink()
+        self.assertEqual(self.batch(), (2, ["done", "done"]))
+
+    def test_a_changed_skeleton_is_noticed(self):
+        self.assertEqual(self.batch(), (0, ["done", "done"]))
+        self.asf.write_text(ASF.replace("length 40", "length 50"))
+        self.assertEqual(self.batch(), (0, ["done", "done"]))
+        self.assertEqual(self.batch(), (2, ["done", "done"]))
+        result = json.loads((self.folder / "out" / "clips__02_01.amc.json").read_text())
+        self.assertEqual(result["batch"]["bytes"],
+                         self.asf.stat().st_size + (self.clips / "02_01.amc").stat().st_size)
+
+    def test_a_skeleton_by_option(self):
+        other = self.folder / "other.asf"
+        other.write_text(ASF)
+        self.asf.unlink()
+        option = ("--skeleton", other)
+        self.assertEqual(self.batch(*option), (0, ["done", "done"]))
+        self.assertEqual(self.batch(*option), (2, ["done", "done"]))
+        other.write_text(ASF.replace("length 40", "length 50"))
+        self.assertEqual(self.batch(*option), (0, ["done", "done"]))
+        other.unlink()
+        os.mkfifo(other)
+        self.assertEqual(self.batch(*option), (0, ["STLTSA_E_IO"] * 2))
 
 
 class PythonReaders(CommandTest):

@@ -104,7 +104,13 @@ class Search {
     std::set<fs::path> seen_;
 };
 
+/// Reading a pipe would wait for its writer.
 void add_content(const std::string& path, Content& content) {
+    std::error_code none;
+    if (fs::exists(path, none) && !fs::is_regular_file(path, none))
+        throw Failure(
+            Exit::failed,
+            fmt::format("{}: no file; batch reads only files, which it looks at twice", path));
     std::ifstream file(path, std::ios::binary);
     std::vector<char> block(std::size_t{1} << 16);
     uLong sum = content.crc32;
@@ -119,13 +125,17 @@ void add_content(const std::string& path, Content& content) {
     content.crc32 = static_cast<std::uint32_t>(sum);
 }
 
-/// Those of the folder: which of them the clip takes is found when it is opened.
+/// Those of the folder that the library would look at: which of them the clip takes is found when
+/// it is opened.
 std::vector<std::string> skeletons_beside(const fs::path& clip) {
     std::vector<std::string> found;
     const fs::path folder = clip.has_parent_path() ? clip.parent_path() : ".";
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-        if (ends_in(entry.path().string(), ".asf"))
+    std::error_code none;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        if (!name.starts_with('.') && ends_in(name, ".asf") && entry.is_regular_file(none))
             found.push_back(entry.path().string());
+    }
     std::ranges::sort(found);
     return found;
 }

@@ -3,11 +3,8 @@
 #include <algorithm>
 #include <atomic>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <mutex>
-#include <optional>
-#include <sstream>
 #include <system_error>
 #include <thread>
 
@@ -18,6 +15,7 @@
 #include "arguments/option_flags.hpp"
 #include "arguments/pieces.hpp"
 #include "batch/clips.hpp"
+#include "batch/result.hpp"
 #include "batch/summary.hpp"
 #include "commands/commands.hpp"
 #include "commands/foreign.hpp"
@@ -67,70 +65,65 @@ class Work {
         : arguments_(arguments), longest_(::pathconf(arguments.out.c_str(), _PC_NAME_MAX)) {}
 
     Row done(const ClipPath& clip) const {
-        if (longest_ > 0 && std::ssize(clip.result) > longest_) // only this clip fails
-            return batch::failed_row(
-                clip.path, stltsa::status_name(STLTSA_E_IO),
-                fmt::format("{}: the name of the result, this path with __ for /, would have {} "
-                            "bytes, and a file name has at most {}: start the batch in a folder "
-                            "nearer to the clip",
-                            clip.path, clip.result.size(), longest_));
         const std::string place = fmt::format("{}/{}", arguments_.out, clip.result);
         try {
-            const std::string origin = origin_of(clip);
-            if (auto kept = kept_row(clip, place, origin))
-                return *kept;
+            check_place(clip, place);
+            const batch::Origin origin = origin_of(clip);
+            if (const auto kept = batch::kept_result(place, origin)) {
+                Row row = batch::row_of(clip.path, *kept);
+                row.kept = true;
+                return row;
+            }
             const std::string result = result_of(clip);
-            write(place, with_member(result, "batch", origin));
+            write(place, batch::with_origin(result, origin));
             return batch::row_of(clip.path, nlohmann::json::parse(result));
         } catch (const stltsa::Error& error) {
             stop_if_interrupted();
             return batch::failed_row(clip.path, error.name(), with_flags(error.what()));
         } catch (const Failure& failure) { // of the Python package, or of a length in seconds
             stop_if_interrupted();
-            if (failure.status() == Exit::failed) // the folder of results cannot be written to
-                throw;
-            const bool input = failure.status() == Exit::unreadable;
-            return batch::failed_row(
-                clip.path, stltsa::status_name(input ? STLTSA_E_FORMAT : STLTSA_E_ARGUMENT),
-                failure.what());
+            return batch::failed_row(clip.path, stltsa::status_name(status_of(failure)),
+                                     failure.what());
         } catch (const std::system_error& error) {
             return batch::failed_row(clip.path, stltsa::status_name(STLTSA_E_IO), error.what());
         }
     }
 
   private:
-    /// What the result depends on, as JSON: content and options, and the library's version.
-    std::string origin_of(const ClipPath& clip) const {
+    static stltsa_status status_of(const Failure& failure) {
+        if (failure.status() == Exit::failed) // the result cannot be written
+            return STLTSA_E_IO;
+        return failure.status() == Exit::unreadable ? STLTSA_E_FORMAT : STLTSA_E_ARGUMENT;
+    }
+
+    void check_place(const ClipPath& clip, const std::string& place) const {
+        if (longest_ > 0 && std::ssize(clip.result) > longest_)
+            throw Failure(
+                Exit::failed,
+                fmt::format("{}: the name of the result, this path with __ for /, would have {} "
+                            "bytes, and a file name has at most {}: start the batch in a folder "
+                            "nearer to the clip",
+                            clip.path, clip.result.size(), longest_));
+        if (!stltsa::clip::regular_or_new(stltsa::clip::followed(place)))
+            throw Failure(Exit::failed, fmt::format("its result, {}, is no file: remove it, or "
+                                                    "give another --out",
+                                                    place));
+    }
+
+    batch::Origin origin_of(const ClipPath& clip) const {
+        const std::string file = file_of(clip.path);
         const auto skeleton = arguments_.options.find(STLTSA_OPT_SKELETON);
-        const batch::Content content = batch::content_of(
-            file_of(clip.path), skeleton == arguments_.options.end() ? "" : skeleton->second);
-        nlohmann::ordered_json options = nlohmann::ordered_json::object();
+        const batch::Content content =
+            batch::content_of(file, skeleton == arguments_.options.end() ? "" : skeleton->second);
+        batch::Origin options = batch::Origin::object();
         for (const auto& [key, typed] : arguments_.options)
             if (key != STLTSA_OPT_THREADS) // results do not depend on it
                 options[flag_of(key).substr(2)] = typed;
-        return nlohmann::ordered_json{{"bytes", content.bytes},
-                                      {"crc32", fmt::format("{:08x}", content.crc32)},
-                                      {"options", options},
-                                      {"library", stltsa::version()}}
-            .dump();
-    }
-
-    static std::string with_member(std::string object, const char* name, const std::string& json) {
-        object.pop_back(); // the brace
-        return fmt::format("{},\"{}\":{}}}\n", object, name, json);
-    }
-
-    /// The row of a result of an earlier run with the same origin, which its file ends with.
-    static std::optional<Row> kept_row(const ClipPath& clip, const std::string& place,
-                                       const std::string& origin) {
-        std::ifstream file(place, std::ios::binary);
-        std::ostringstream text;
-        text << file.rdbuf();
-        if (!file || !text.str().ends_with(with_member("}", "batch", origin)))
-            return std::nullopt;
-        Row row = batch::row_of(clip.path, nlohmann::json::parse(text.str()));
-        row.kept = true;
-        return row;
+        return {{"source", batch::source_of(file, arguments_.out)},
+                {"bytes", content.bytes},
+                {"crc32", fmt::format("{:08x}", content.crc32)},
+                {"options", options},
+                {"library", stltsa::version()}};
     }
 
     std::string result_of(const ClipPath& path) const {
@@ -252,9 +245,10 @@ Exit run_batch(const Arguments& arguments) {
     if (error)
         throw Failure(Exit::failed,
                       fmt::format("cannot create {}: {}", arguments.out, error.message()));
+    const std::string place = summary_place(arguments);
+    check_output_place(place, {}); // or else each clip would fail
     Progress progress(!arguments.quiet && obeys_codes(STDERR_FILENO), clips.size());
     const std::vector<Row> rows = rows_of(Work(arguments), clips, arguments.jobs, progress);
-    const std::string place = summary_place(arguments);
     OutputFiles files;
     files.add(place, batch::summary_csv(rows));
     files.commit();

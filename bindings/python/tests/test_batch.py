@@ -15,6 +15,28 @@ from test_readers import walk, write_c3d
 
 import stltsa
 
+ASF = """:version 1.10
+:units
+  length 1
+  angle deg
+:root
+  order TX TY TZ RX RY RZ
+  axis XYZ
+  position 0 0 0
+  orientation 0 0 0
+:bonedata
+  begin
+    id 1
+    name leg
+    direction 0 -1 0
+    length 40
+    axis 0 0 0 XYZ
+  end
+:hierarchy
+  begin
+    root leg
+  end
+"""
 DOCS = ROOT / "docs" / "batch.md"
 
 
@@ -53,13 +75,18 @@ def test_the_commands_files(clips, tmp_path, command):
 
 
 def test_names_that_a_spreadsheet_would_evaluate(walker, tmp_path, command, monkeypatch):
+    """Or split, where semicolons or tabs separate cells."""
     monkeypatch.chdir(tmp_path)
-    Path("=1+1.bvh").symlink_to(walker)
-    stltsa.batch("=1+1.bvh", "python")
-    subprocess.run([command, "batch", "=1+1.bvh", "--out", "command"], check=True,
+    names = ["=1+1.bvh", "a;=1+1.bvh", "a\rb.bvh", "a\tb.bvh", 'a"b.bvh']
+    for name in names:
+        Path(name).symlink_to(walker)
+    stltsa.batch(names, "python")
+    subprocess.run([command, "batch", *names, "--out", "command"], check=True,
                    capture_output=True)  # fmt: skip
     assert files(tmp_path / "python") == files(tmp_path / "command")
-    assert "\n'=1+1.bvh,done," in (tmp_path / "python" / "summary.csv").read_text()
+    summary = (tmp_path / "python" / "summary.csv").read_bytes()
+    for cell in (b"'=1+1.bvh", b'"a;=1+1.bvh"', b'"a\rb.bvh"', b'"a\tb.bvh"', b'"a""b.bvh"'):
+        assert b"\n" + cell + b",done," in summary
 
 
 def test_the_commands_files_of_formats_that_only_python_reads(tmp_path, command):
@@ -196,6 +223,104 @@ def test_bad_files_are_rows(clips, tmp_path):
     seen = []
     stltsa.batch(clips / "walk.bvh", tmp_path / "out", progress=lambda *a: seen.append(a))
     assert seen == [("clips", 1.0)]
+
+
+def test_damaged_results_are_made_anew(walker, tmp_path):
+    shutil.copy(walker, tmp_path / "walk.bvh")
+    path, out = tmp_path / "walk.bvh", tmp_path / "out"
+
+    def kept():
+        rows = stltsa.batch(path, out)
+        assert list(rows["status"]) == ["done"]
+        return bool(rows["kept"][0])
+
+    assert not kept()
+    result = next(out.glob("*.json"))
+    whole = result.read_bytes()
+    for damaged in (
+        b"",
+        whole[:-1],
+        whole.replace(b'"segments"', b'\0\0segments"', 1),
+        whole.replace(b'"cycles":', b'"Cycles":', 1),
+        whole.replace(b'"source":"', b'"source":"\xff', 1),
+        b'{"batch":1,"batch":' + 100000 * b"[" + b"}\n",
+    ):
+        result.write_bytes(damaged)
+        assert not kept()
+        assert result.read_bytes() == whole
+        assert kept()
+
+
+def test_what_is_in_the_way_does_not_stop_the_others(clips, tmp_path):
+    out = tmp_path / "out"
+    stltsa.batch(clips, out, fps=30)
+    place = out / f"{str(clips / 'walk.bvh').replace('/', '__')}.json"
+    place.unlink()
+    for make in (place.mkdir, lambda: os.mkfifo(place), lambda: place.symlink_to("none/folder")):
+        make()
+        rows = stltsa.batch(clips, out, fps=30)
+        assert list(rows["status"]) == ["done", "STLTSA_E_IO"]
+        assert list(rows["kept"]) == [True, False]
+        (place.rmdir if place.is_dir() else place.unlink)()
+    place.symlink_to(tmp_path / "elsewhere.json")
+    assert list(stltsa.batch(clips, out, fps=30)["status"]) == ["done", "done"]
+    assert place.is_symlink()
+    assert list(stltsa.batch(clips, out, fps=30)["kept"]) == [True, True]
+    seen = []  # no clip is decomposed if nothing can be written
+    with pytest.raises(OSError, match="/proc/"):
+        stltsa.batch(clips, "/proc/self", fps=30, progress=lambda *a: seen.append(a))
+    assert not seen
+
+
+def test_skeletons_as_the_command_takes_them(tmp_path, command, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    Path("clips").mkdir()
+    turns = 20 * np.sin(np.arange(300) / 8)
+    rows = [f"{i + 1}\nroot 0 0 0 {turn:.4f} 0 0\n" for i, turn in enumerate(turns)]
+    Path("clips/walk.amc").write_text(":FULLY-SPECIFIED\n:DEGREES\n" + "".join(rows))
+    skeleton = Path("clips/walk.asf")
+    skeleton.write_text(ASF)
+    os.mkfifo("clips/pipe.asf")
+    Path("clips/folder.asf").mkdir()
+    Path("clips/dangling.asf").symlink_to("nothing")
+    Path("clips/.hidden.asf").write_text("being written")
+    for options in ({}, {"skeleton": str(skeleton)}):
+        for change in ("", "# changed\n"):
+            skeleton.write_text(change + skeleton.read_text())
+            rows = stltsa.batch("clips", "python", fps=60, **options)
+            assert (list(rows["status"]), list(rows["kept"])) == (["done"], [False])
+            flags = ["--fps", "60", *(["--skeleton", skeleton] if options else [])]
+            subprocess.run([command, "batch", "clips", "--out", "command", *flags], check=True,
+                           capture_output=True)  # fmt: skip
+            assert files(Path("python")) == files(Path("command"))
+            assert list(stltsa.batch("clips", "command", fps=60, **options)["kept"]) == [True]
+    rows = stltsa.batch("clips", "python", skeleton="clips/pipe.asf")
+    assert list(rows["status"]) == ["STLTSA_E_IO"]
+
+
+def test_one_path_from_two_folders(walker, clip, tmp_path, monkeypatch):
+    """The result of another clip stays; it may be replaced when that clip is gone."""
+    for place in ("here", "there"):
+        (tmp_path / place).mkdir()
+    shutil.copy(walker, tmp_path / "here" / "walk.bvh")
+    clip.stretch("100-600").save(tmp_path / "there" / "walk.bvh")
+
+    def batch(place):
+        monkeypatch.chdir(tmp_path / place)
+        (row,) = stltsa.batch("walk.bvh", tmp_path / "out").itertuples()
+        return row.status, row.kept, row.error
+
+    assert batch("here")[:2] == ("done", False)
+    before = (tmp_path / "out" / "walk.bvh.json").read_bytes()
+    status, kept, error = batch("there")
+    assert (status, kept) == ("STLTSA_E_IO", False)
+    assert f"is that of another clip, {tmp_path}/here/walk.bvh: give another --out" in error
+    assert (tmp_path / "out" / "walk.bvh.json").read_bytes() == before
+    assert batch("here")[:2] == ("done", True)
+    (tmp_path / "here" / "walk.bvh").unlink()
+    assert batch("there")[:2] == ("done", False)
+    (tmp_path / "there").rename(tmp_path / "moved")
+    assert batch("moved")[:2] == ("done", True)
 
 
 def block_of_docs(language, word):

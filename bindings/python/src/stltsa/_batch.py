@@ -3,23 +3,22 @@
 
 from __future__ import annotations
 
-import errno
 import json
 import math
 import operator
 import os
 import re
-import zlib
+import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
+from ._batch_files import check_place, kept, origin_of, typed, with_origin
 from ._call import Call
 from ._exports import write_text
-from ._native import lib
 from ._options import option_named
 from ._progress import reporter
 from ._tables import table
-from ._text import csv_text, string
+from ._text import csv_text
 from .decomposition import decompose
 from .errors import StltsaError
 from .readers import READERS, extra
@@ -94,9 +93,9 @@ def batch(
     """Decompose many clips into a folder: a JSON file for each, and ``summary.csv``.
 
     The result of ``a/b.bvh`` is ``a__b.bvh.json``. The files have the same bytes for any number of
-    jobs. If a run was stopped, the next one goes on from there: a result is kept if the content of
-    the clip, the options and the library's version are the same. If a clip fails, its row has the
-    error.
+    jobs. If a run was stopped, the next one goes on from there: a result is kept if it is
+    undamaged, and the content of the clip, the options and the library's version are the same. If a
+    clip fails, or its result is that of another clip, its row has the error.
 
     Parameters
     ----------
@@ -132,7 +131,9 @@ def batch(
     report = reporter(options.pop("progress", None))
     _check(options)
     work = [(path, str(Path(out) / result), dict(options)) for path, result in chosen]
+    name = "summary.csv" if count == 1 else f"summary-{index}-{count}.csv"
     Path(out).mkdir(parents=True, exist_ok=True)
+    tempfile.TemporaryFile(dir=out).close()  # if nothing can be written, each clip would fail
     rows = []
     try:
         for row in _run(work, jobs, client):
@@ -140,7 +141,6 @@ def batch(
             report.report("clips", len(rows) / len(work))
     finally:
         report.close()
-    name = "summary.csv" if count == 1 else f"summary-{index}-{count}.csv"
     write_text(Path(out) / name, _summary(rows))
     return table(rows, BatchRow)
 
@@ -225,15 +225,15 @@ def _one(path: str, result: str, options: Mapping[str, Any]) -> BatchRow:
     """Decompose one clip unless its result is there; the processes of `jobs` call this."""
     place = Path(result)
     try:
-        _check_name(path, place)
-        end = f',"batch":{_origin(path, options)}}}\n'
-        before = place.read_text(encoding="utf-8") if place.exists() else ""
-        if before.endswith(end):
-            return _row(path, json.loads(before), kept=True)
+        check_place(path, place)
+        origin = origin_of(path, place.parent, options)
+        before = kept(place, origin)
+        if before is not None:
+            return _row(path, before, is_kept=True)
         used: Any = {**options, "threads": 1}
         text = decompose(path, **used).to_json()
-        write_text(place, text[:-1] + end)
-        return _row(path, json.loads(text), kept=False)
+        write_text(place, with_origin(text[:-1], origin))
+        return _row(path, json.loads(text), is_kept=False)
     except StltsaError as error:
         return _failed(path, error.name, error)
     except OSError as error:
@@ -242,53 +242,11 @@ def _one(path: str, result: str, options: Mapping[str, Any]) -> BatchRow:
         return _failed(path, type(error).__name__, error)
 
 
-def _check_name(path: str, place: Path) -> None:
-    """Raise if the name of the result is too long; the command says the same."""
-    have, most = len(os.fsencode(place.name)), os.pathconf(place.parent, "PC_NAME_MAX")
-    if have > most > 0:
-        text = (
-            f"the name of the result, this path with __ for /, would have {have} bytes, and a file "
-            f"name has at most {most}: start the batch in a folder nearer to the clip"
-        )
-        raise OSError(errno.ENAMETOOLONG, text, path)
-
-
-def _origin(path: str, options: Mapping[str, Any]) -> str:
-    """Return what the result depends on, as the command writes it."""
-    before, colon, _ = path.rpartition(":")
-    is_path = not colon or (Path(path).exists() and not Path(path).is_dir())
-    file = path if is_path else before
-    content = Path(file).read_bytes()
-    skeleton = options.get("skeleton")
-    beside = [Path(skeleton)] if skeleton else []
-    if not skeleton and file.lower().endswith(".amc"):
-        beside = sorted(p for p in Path(file).parent.iterdir() if p.suffix.lower() == ".asf")
-    for other in beside:
-        content += other.read_bytes()
-    named = sorted((option_named(n).key, n, v) for n, v in options.items() if n != "threads")
-    origin = {
-        "bytes": len(content),
-        "crc32": f"{zlib.crc32(content):08x}",
-        "options": {name.replace("_", "-"): _typed(value) for _, name, value in named},
-        "library": string(lib.stltsa_version()),
-    }
-    return json.dumps(origin, separators=(",", ":"), ensure_ascii=False)
-
-
-def _typed(value: Any) -> str:
-    """Return a value as it would be typed in the command."""
-    if isinstance(value, bool):
-        return str(int(value))
-    if isinstance(value, float) and value.is_integer():
-        return str(int(value))
-    return str(value)
-
-
 def _number(value: Any) -> float:
     return float("nan") if value is None else float(value)
 
 
-def _row(path: str, result: Any, *, kept: bool) -> BatchRow:
+def _row(path: str, result: Any, *, is_kept: bool) -> BatchRow:
     clip, segments = result["clip"], result["segments"]
     moving = [s for s in segments if s["kind"] != "rest"]
     longest = max(moving, key=lambda s: s["end_s"] - s["begin_s"], default={"confidence": None})
@@ -305,7 +263,7 @@ def _row(path: str, result: Any, *, kept: bool) -> BatchRow:
         duration_s=_number(clip["duration_s"]),
         confidence=_number(longest["confidence"]),
         reason=result["reason"] or "",
-        kept=kept,
+        kept=is_kept,
     )
 
 
@@ -322,7 +280,7 @@ def _cells(row: BatchRow) -> list[Any]:
     def cell(value: Any) -> Any:
         if not isinstance(value, float):
             return value
-        return "" if math.isnan(value) else _typed(value)
+        return "" if math.isnan(value) else typed(value)
 
     return [cell(value) for value in row[:-1]]
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import errno
 import json
+import os
 import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -249,7 +250,8 @@ def _write_c3d(path: Path, rows: list[Row], moments: list[Moment], source: Path)
 
 
 def _replace(path: Path, write: Callable[[Path], Any]) -> None:
-    """Write a file completely or not at all."""
+    """Write a file completely or not at all; links are followed, as by the library."""
+    path = Path(os.path.realpath(path))
     if not path.parent.is_dir():
         raise FileNotFoundError(errno.ENOENT, "there is no such folder", str(path.parent))
     with tempfile.TemporaryDirectory(dir=path.parent) as folder:
