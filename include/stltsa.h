@@ -218,9 +218,14 @@ enum {
     STLTSA_OPT_LEAST_CONFIDENCE = 34, /* real  points seen with less are missing */
     STLTSA_OPT_LOOP = 35,        /* int   synthesize: 1: the last frame meets the first across a
                                       seam, the last of the synthesis */
-    STLTSA_OPT_IN_PLACE = 36     /* int   synthesize: 1: of a loop, the root's horizontal travel and
+    STLTSA_OPT_IN_PLACE = 36,    /* int   synthesize: 1: of a loop, the root's horizontal travel and
                                       its turn are removed, evenly over the frames, so that the
                                       loop ends where it starts; heights are kept */
+    STLTSA_OPT_SUBJECT = 37      /* text  which of several people or animals in a file is opened:
+                                      the prefix of its points, "Viktor" of "Viktor:LHEE", or its
+                                      name as an individual or a track; auto: the only one. They
+                                      are never merged: if there are several and none is chosen,
+                                      E_ARGUMENT, with a text that lists them */
 };
 
 /* What is done about missing values, of points or of the columns of a matrix. A point or column

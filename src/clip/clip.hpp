@@ -70,6 +70,7 @@ struct Clip {
     Matrix values;
     int space = 0; ///< without a skeleton: coordinates of each point, 2 or 3; 0: no points
     std::vector<std::string> channel_names; ///< one per column of values; may be empty for matrices
+    std::string subject;                    ///< whose points these are, if the file says so
     std::vector<std::string> notes;         ///< what the reader assumed
     std::vector<std::int64_t> breaks;       ///< frames that do not continue the one before
 
@@ -80,6 +81,9 @@ struct ReadOptions {
     std::optional<double> fps;   ///< overrides the file's rate
     double least_confidence = 0; ///< points that are seen with less are missing
     std::string skeleton;        ///< ASF path for AMC; empty: searched for in the file's folder
+    std::string subject;         ///< whose points to take; empty: the only one's
+    std::string channels;        ///< BIDS: path of the table of the columns; set by read()
+    std::string sidecar;         ///< BIDS: path of the JSON file with the rate; set by read()
     Progress progress;           ///< called periodically, and after a signal
 };
 

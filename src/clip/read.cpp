@@ -2,6 +2,8 @@
 #include <filesystem>
 
 #include "clip/acclaim/find_skeleton.hpp"
+#include "clip/csv/bids.hpp"
+#include "clip/features/subjects.hpp"
 #include "clip/files/read_file.hpp"
 #include "clip/formats.hpp"
 #include "clip/text/text_cursor.hpp"
@@ -86,6 +88,8 @@ Clip parse(std::string_view bytes, Format format, const std::string& name,
     clip.format = format;
     if (!row.needs_skeleton && !options.skeleton.empty())
         clip.notes.push_back("option skeleton is not used: it applies to AMC clips only");
+    if (!options.subject.empty() && clip.subject.empty())
+        one_subject({}, options.subject, shown);
     if (options.fps) {
         clip.fps = *options.fps;
         clip.frame_time = 0;
@@ -93,7 +97,8 @@ Clip parse(std::string_view bytes, Format format, const std::string& name,
     return clip;
 }
 
-Clip read(const std::string& path, const ReadOptions& options) {
+Clip read(const std::string& given, const ReadOptions& options) {
+    const std::string path = motion_file(given);
     const std::string bytes = read_file(path, options.progress);
     const FormatRow* known = find_format(path);
     if (known != nullptr && known->read == nullptr)
@@ -104,15 +109,18 @@ Clip read(const std::string& path, const ReadOptions& options) {
     if (equals_ignoring_case(std::filesystem::path(path).extension().string(), ".asf"))
         fail(Status::format, "{}: an ASF file is a skeleton without motion: open an AMC file",
              path);
-    ReadOptions with_skeleton = options;
+    ReadOptions with_others = options;
     const bool search = readable(format).needs_skeleton && options.skeleton.empty();
     if (search)
-        with_skeleton.skeleton = find_skeleton(path);
-    Clip clip = known == nullptr && format == Format::csv
-                    ? parse_unknown(bytes, path, with_skeleton)
-                    : parse(bytes, format, path, with_skeleton);
+        with_others.skeleton = find_skeleton(path);
+    if (is_bids_motion(path)) {
+        with_others.channels = find_beside(path, "_channels.tsv");
+        with_others.sidecar = find_beside(path, "_motion.json");
+    }
+    Clip clip = known == nullptr && format == Format::csv ? parse_unknown(bytes, path, with_others)
+                                                          : parse(bytes, format, path, with_others);
     if (search)
-        clip.notes.push_back("skeleton found beside the clip: " + with_skeleton.skeleton);
+        clip.notes.push_back("skeleton found beside the clip: " + with_others.skeleton);
     return clip;
 }
 

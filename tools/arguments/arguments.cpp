@@ -78,6 +78,7 @@ const char* group_of(const stltsa::OptionInfo& option) {
     switch (option.key) {
     case STLTSA_OPT_FPS:
     case STLTSA_OPT_SKELETON:
+    case STLTSA_OPT_SUBJECT:
     case STLTSA_OPT_LEAST_CONFIDENCE:
     case STLTSA_OPT_GAPS:
     case STLTSA_OPT_FEATURES:

@@ -101,6 +101,8 @@ clip::ReadOptions OptionsReader::read_options() const {
     read.fps = real_if_set(STLTSA_OPT_FPS);
     if (is_set(options_, STLTSA_OPT_SKELETON))
         read.skeleton = text(STLTSA_OPT_SKELETON);
+    if (is_set(options_, STLTSA_OPT_SUBJECT))
+        read.subject = text(STLTSA_OPT_SUBJECT);
     read.least_confidence = real(STLTSA_OPT_LEAST_CONFIDENCE);
     read.progress = progress();
     return read;

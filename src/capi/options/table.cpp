@@ -152,6 +152,9 @@ constexpr stltsa_option_info rows[] = {
           "Make a loop: the last frame meets the first, across a seam like any other.", 0, 1, 0),
     whole(STLTSA_OPT_IN_PLACE, STLTSA_CALL_SYNTHESIZE, "in_place",
           "Remove what a loop travels and turns, so that it ends where it starts.", 0, 1, 0),
+    text(STLTSA_OPT_SUBJECT, STLTSA_CALL_OPEN, "subject",
+         "Which of several people or animals in a file: the prefix of its points (Viktor of "
+         "Viktor:LHEE), or its name as an individual or a track; auto: the only one."),
 };
 
 } // namespace

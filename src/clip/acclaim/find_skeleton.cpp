@@ -2,16 +2,11 @@
 #include "clip/acclaim/find_skeleton.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <filesystem>
-#include <memory>
-#include <new>
 #include <string>
 #include <vector>
 
-#include <dirent.h>
-#include <sys/stat.h>
-
+#include "clip/files/names_in.hpp"
 #include "clip/text/text_cursor.hpp"
 
 namespace stltsa::clip {
@@ -19,27 +14,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_regular_file(const std::string& path) {
-    struct stat status {};
-    return ::stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
-}
-
-/// The sorted names of the ASF files of a folder. Regular files only: opening a pipe would wait for
-/// its writer. Not hidden ones: another program may be writing one. std::filesystem's iterator
-/// would terminate the process if memory runs out.
 std::vector<std::string> asf_files(const std::string& folder) {
-    const std::unique_ptr<DIR, int (*)(DIR*)> listed(::opendir(folder.c_str()), &::closedir);
-    if (!listed && errno == ENOMEM)
-        throw std::bad_alloc();
-    std::vector<std::string> names; // empty if the folder cannot be listed
-    while (const dirent* entry = listed ? ::readdir(listed.get()) : nullptr) {
-        const std::string name = entry->d_name;
-        if (!name.starts_with('.') &&
-            equals_ignoring_case(fs::path(name).extension().string(), ".asf") &&
-            is_regular_file(folder + '/' + name))
-            names.push_back(name);
-    }
-    std::sort(names.begin(), names.end());
+    std::vector<std::string> names = names_in(folder, Listed::files);
+    std::erase_if(names, [](const std::string& name) {
+        return !equals_ignoring_case(fs::path(name).extension().string(), ".asf");
+    });
     return names;
 }
 

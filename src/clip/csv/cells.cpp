@@ -45,12 +45,17 @@ char find_separator(std::string_view line) {
                            : tabs                        ? '\t'
                            : line.find(',') != line.npos ? ','
                                                          : ' ';
-    // "1,5 2,5": numbers do not contain blanks, so these are decimal commas.
+    // "1,5 2,5": numbers do not contain blanks, so these are decimal commas; other text, such as a
+    // date with a time, does.
     const auto cells = split_cells(line, separator);
-    const bool too_long = cells && std::any_of(cells->begin(), cells->end(), [](auto cell) {
+    const bool too_long = cells && std::ranges::any_of(*cells, [](std::string_view cell) {
                               return std::ranges::any_of(cell, is_blank);
                           });
-    return too_long ? ' ' : separator;
+    const auto parts = too_long ? split_cells(line, ' ') : std::nullopt;
+    const bool blanks = parts && std::ranges::all_of(*parts, [](std::string_view part) {
+                            return is_gap(part) || parse_cell(part);
+                        });
+    return blanks ? ' ' : separator;
 }
 
 std::optional<std::vector<std::string_view>> split_cells(std::string_view line, char separator) {

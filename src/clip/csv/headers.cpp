@@ -6,6 +6,7 @@
 #include <span>
 
 #include "clip/csv/cells.hpp"
+#include "clip/features/point_names.hpp"
 #include "clip/text/number.hpp"
 
 namespace stltsa::clip {
@@ -27,17 +28,30 @@ std::int64_t filled(const Line& cells) {
     return std::ranges::count_if(cells, is_filled);
 }
 
-/// Filled cells, or all but the label of the line, which is in one of the first two columns.
+/// Columns that may have the label of a line.
+std::ptrdiff_t label_columns(std::size_t columns) {
+    return columns > 3 ? 2 : 0;
+}
+
+/// Filled cells, or all but the label of the line.
 bool is_all(const Line& cells, bool (*holds)(std::string_view)) {
-    return std::all_of(cells.begin() + std::min<std::ptrdiff_t>(2, std::ssize(cells)), cells.end(),
+    return std::all_of(cells.begin() + label_columns(cells.size()), cells.end(),
                        [holds](const std::string& cell) { return cell.empty() || holds(cell); });
 }
 
-bool is_unit(std::string_view cell) {
-    constexpr std::string_view units[] = {"m",   "mm", "cm",  "s",    "ms", "deg",  "rad",
-                                          "mm.", "px", "n/a", "unit", "in", "(mm)", "(m)"};
+bool is_length(std::string_view cell) {
+    constexpr std::string_view units[] = {"m",    "mm",  "cm",          "km",     "in",
+                                          "ft",   "px",  "mm.",         "pixel",  "pixels",
+                                          "(mm)", "(m)", "millimeters", "meters", "centimeters"};
     return std::ranges::any_of(
         units, [cell](std::string_view u) { return equals_ignoring_case(cell, u); });
+}
+
+bool is_unit(std::string_view cell) {
+    constexpr std::string_view units[] = {"s", "ms", "sec", "hz", "n/a", "unit", "%"};
+    return is_length(cell) || is_other_unit(cell) ||
+           std::ranges::any_of(
+               units, [cell](std::string_view u) { return equals_ignoring_case(cell, u); });
 }
 
 /// "Marker", "Marker", ... of each column, or the name of the network that tracked: they tell no
@@ -49,11 +63,28 @@ bool is_constant(const Line& cells) {
     return cells.size() > 3;
 }
 
-/// Numbers that a system gives its markers.
-bool is_identity(const Line& cells) {
+/// Whether the line, by its label in one of the first two columns, has one of these.
+template <std::size_t n>
+bool is_labelled(const Line& cells, const std::string_view (&labels)[n]) {
     return std::any_of(cells.begin(),
                        cells.begin() + std::min<std::ptrdiff_t>(2, std::ssize(cells)),
-                       [](const std::string& cell) { return equals_ignoring_case(cell, "id"); });
+                       [&](const std::string& cell) {
+                           return std::ranges::any_of(labels, [&](std::string_view label) {
+                               return equals_ignoring_case(cell, label);
+                           });
+                       });
+}
+
+/// Numbers and kinds that a system gives its markers; the name of the network that tracked.
+bool is_beside_names(const Line& cells) {
+    constexpr std::string_view labels[] = {"id", "parent", "type", "scorer"};
+    return is_labelled(cells, labels);
+}
+
+bool names_subjects(const Line& cells) {
+    constexpr std::string_view labels[] = {"individual", "individuals", "subject",
+                                           "subjects",   "animal",      "animals"};
+    return is_labelled(cells, labels);
 }
 
 /// A name stands above the first of its columns.
@@ -75,10 +106,12 @@ class HeadReader {
         Head head;
         head.separator = separator_;
         find_rate(head);
+        find_unit(head);
         std::vector<Line> levels = levels_of();
-        if (levels.empty())
+        if (!levels.empty())
+            set_names(levels, head);
+        else if (!take_marker_names(head))
             return std::nullopt;
-        set_names(levels, head);
         if (skipped)
             head.notes.emplace_back("section Trajectories read, the sections before it are not");
         if (first_level_ > 0)
@@ -168,20 +201,79 @@ class HeadReader {
             if (filled(cells) == 1)
                 take(cells[0]);
         }
-        for (const Line& cells : lines_)
-            for (std::size_t c = 0; c + 1 < cells.size(); ++c) {
-                const std::string label = to_lower(cells[c]);
-                if (label.find("rate") != label.npos || label.find("frequency") != label.npos)
-                    take(cells[c + 1]);
-            }
+        // The rate of the rows is the exported one; that of analog channels is another one.
+        for (const std::string_view wanted : {"export", ""})
+            for (const Line& cells : lines_)
+                for (std::size_t c = 0; c + 1 < cells.size(); ++c) {
+                    const std::string label = to_lower(cells[c]);
+                    if ((label.find("rate") != label.npos ||
+                         label.find("frequency") != label.npos) &&
+                        label.find(wanted) != label.npos && label.find("analog") == label.npos)
+                        take(cells[c + 1]);
+                }
         if (head.fps > 0)
             head.notes.push_back(
                 format_text("{:g} frames a second from the lines before the header", head.fps));
     }
 
-    /// Whether the line names columns: it reaches at least to the last group of three.
+    /// The unit of length of a preamble, such as "Length Units,Meters".
+    void find_unit(Head& head) const {
+        for (const Line& cells : lines_)
+            for (std::size_t c = 0; c + 1 < cells.size(); ++c)
+                if (to_lower(cells[c]).find("unit") != std::string::npos && is_length(cells[c + 1]))
+                    return note_unit(cells[c + 1], head);
+    }
+
+    static void note_unit(const std::string& unit, Head& head) {
+        head.notes.push_back("unit of length in the lines before the numbers: " + unit);
+    }
+
+    /// Qualisys without a header of columns: a line has the name of each marker once, and rows may
+    /// begin with a frame number and a time.
+    bool take_marker_names(Head& head) const {
+        constexpr std::string_view labels[] = {"marker_names"};
+        const auto line = std::ranges::find_if(
+            lines_, [&](const Line& cells) { return is_labelled(cells, labels); });
+        if (line == lines_.end())
+            return false;
+        const auto markers = static_cast<std::size_t>(
+            std::find_if_not(line->begin() + 1, line->end(), is_filled) - line->begin() - 1);
+        const std::size_t before = columns_ - std::min(columns_, 3 * markers);
+        if (before + 3 * markers != columns_ || (before != 0 && before != 2))
+            in_.fail(Status::format,
+                     "the line MARKER_NAMES has {} names, but the rows have {} columns: expected "
+                     "3 for each name, perhaps after a frame number and a time",
+                     markers, columns_);
+        if (before == 2)
+            head.names = {"Frame", "Time"};
+        for (std::size_t c = 0; c < 3 * markers; ++c)
+            head.names.push_back((*line)[1 + c / 3] + '_' + "xyz"[c % 3]);
+        return true;
+    }
+
+    /// Whether the line is as wide as the rows: it reaches at least to the last group of three.
+    bool is_wide(const Line& cells) const {
+        return cells.size() + 2 >= columns_ && cells.size() <= columns_ + 1;
+    }
+
+    /// Whether it names columns, and not just itself.
     bool can_be_level(const Line& cells) const {
-        return cells.size() + 2 >= columns_ && cells.size() <= columns_ + 1 && filled(cells) >= 2;
+        if (!is_wide(cells) || has_pairs(cells))
+            return false;
+        const std::ptrdiff_t labels = label_columns(cells.size());
+        return filled(cells) >= (labels > 0 ? 1 : 2) &&
+               std::any_of(cells.begin() + labels, cells.end(), is_filled);
+    }
+
+    /// Labels and values by turns, such as "Format Version,1.23,Take Name,walk".
+    static bool has_pairs(const Line& cells) {
+        return cells.size() > 3 && !parse_cell(cells[0]) && parse_cell(cells[1]) &&
+               !parse_cell(cells[2]) && !cells[2].empty();
+    }
+
+    /// Whether it could, but all its columns are empty, as those of "Parent" may be.
+    bool is_empty_level(const Line& cells) const {
+        return is_wide(cells) && !can_be_level(cells) && filled(cells) == 1;
     }
 
     /// The lines that name columns, from above.
@@ -195,16 +287,23 @@ class HeadReader {
         if (!can_be_level(lines_[end - 1]) || std::ranges::any_of(lines_[end - 1], has_number))
             return {};
         first_level_ = end;
-        while (first_level_ > 0 && can_be_level(lines_[first_level_ - 1]))
-            --first_level_;
+        for (std::size_t i = end; i > 0; --i)
+            if (can_be_level(lines_[i - 1]))
+                first_level_ = i - 1;
+            else if (!is_empty_level(lines_[i - 1]))
+                break;
         std::vector<Line> levels;
         for (std::size_t i = first_level_; i < end; ++i) {
             Line cells = lines_[i];
             cells.resize(columns_);
-            const bool is_last = i + 1 == end || is_all(lines_[i + 1], is_unit);
-            if (is_all(cells, is_unit) || is_identity(cells) || (is_constant(cells) && !is_last))
+            if (!can_be_level(lines_[i]))
                 continue;
-            levels.push_back(std::move(cells));
+            const bool is_last = i + 1 == end || is_all(lines_[i + 1], is_unit);
+            if (is_all(cells, is_unit) && !levels.empty())
+                units_ = std::move(cells);
+            else if (is_last || names_subjects(cells) ||
+                     !(is_beside_names(cells) || is_constant(cells)))
+                levels.push_back(std::move(cells));
         }
         return levels;
     }
@@ -215,23 +314,44 @@ class HeadReader {
         const Line& last = levels.back();
         for (std::size_t c = 0; c < columns_; ++c) {
             std::string name;
+            char between = '_';
             // The first columns may be an index, with the titles of the lines above.
             const bool labelled = c < 2 && levels.size() > 1 && columns_ > 2 &&
                                   levels.front()[c] != levels.front()[c == 0 ? 1 : 2] &&
                                   !(c == 1 && levels.front()[c] == levels.front()[0]);
             for (const Line& level : levels)
-                if (!level[c].empty() && (!labelled || &level == &levels.back()))
-                    name += (name.empty() ? "" : "_") + level[c];
+                if (!level[c].empty() && (!labelled || &level == &levels.back())) {
+                    if (!name.empty())
+                        name += between;
+                    name += level[c];
+                    between = names_subjects(level) ? ':' : '_';
+                }
             head.names.push_back(name);
         }
+        set_units(head);
         if (equals_ignoring_case(last[0], "coords")) // DeepLabCut: above the frame numbers
             head.names[0].clear();
         if (!index_name_.empty())
             head.names[0] = index_name_;
     }
 
+    /// Units of other quantities stay with the names; the unit of positions is that of a note.
+    void set_units(Head& head) const {
+        std::string length;
+        for (std::size_t c = 0; c < units_.size(); ++c) {
+            const std::string& unit = units_[c];
+            if (is_length(unit))
+                length = length.empty() ? unit : length;
+            else if (!unit.empty() && !is_gap(unit))
+                head.names[c] += " (" + unit + ')';
+        }
+        if (!length.empty())
+            note_unit(length, head);
+    }
+
     TextCursor& in_;
     std::vector<Line> lines_; ///< before the numbers
+    Line units_;              ///< of the columns; may be empty
     TextCursor after_ = in_;  ///< before the first row of numbers
     std::size_t columns_ = 0;
     std::size_t first_level_ = 0;

@@ -12,7 +12,8 @@
 namespace stltsa::clip {
 
 struct Head {
-    std::vector<std::string> names; ///< one per column; levels joined by _, as in "heel_x"
+    /// One per column; levels joined by _, as in "heel_x", with a unit that is not one of length.
+    std::vector<std::string> names;
     char separator = ',';
     double fps = 0; ///< 0: the lines do not say
     std::vector<std::string> notes;

@@ -2,75 +2,154 @@
 #include "clip/csv/point_columns.hpp"
 
 #include <algorithm>
-#include <iterator>
+#include <array>
+#include <filesystem>
+#include <map>
 
 #include "clip/arrays/arrays.hpp"
 #include "clip/features/point_names.hpp"
+#include "clip/features/subjects.hpp"
 #include "clip/text/text_cursor.hpp"
 
 namespace stltsa::clip {
 namespace {
 
-/// Points that are columns of a clip.
-struct Columns {
-    std::vector<std::int64_t> coordinates;
-    std::vector<std::int64_t> confidence; ///< one per point, or none
-    std::vector<std::string> quantities;  ///< names of triples of other quantities
-    std::vector<std::string> others;      ///< names of columns that belong to no point
-    std::int64_t points = 0;
-    int space = 0;
-    bool same_space = true;
-    bool are_set_apart = true; ///< the axes in all names
+constexpr std::int64_t none = -1;
+
+/// The columns of one point, or of another quantity that is named so.
+struct Point {
+    std::string name;                                      ///< as in the file
+    std::array<std::int64_t, 3> columns{none, none, none}; ///< of x, y, z
+    std::int64_t confidence = none;
+    std::string unit;
+    bool is_set_apart = true; ///< the axes in all names
+
+    /// 2 or 3; 0: coordinates are absent.
+    int space() const {
+        return columns[0] == none || columns[1] == none ? 0 : columns[2] == none ? 2 : 3;
+    }
 };
 
-Columns find_points(const std::vector<std::string>& names) {
-    Columns found;
-    for (std::size_t c = 0; c < names.size();) {
-        const PointColumns next = point_at(names, c);
-        if (next.space == 0) {
-            found.others.push_back(names[c++]);
-            continue;
-        }
-        const auto column = static_cast<std::int64_t>(c);
-        c += static_cast<std::size_t>(next.space) + (next.has_confidence ? 1 : 0);
-        if (next.other_quantity) {
-            found.quantities.push_back(next.stem);
-            continue;
-        }
-        found.same_space = found.same_space && (found.points == 0 || found.space == next.space);
-        found.are_set_apart = found.are_set_apart && next.is_set_apart;
-        found.space = next.space;
-        for (int axis = 0; axis < next.space; ++axis)
-            found.coordinates.push_back(column + axis);
-        if (next.has_confidence)
-            found.confidence.push_back(column + next.space);
-        ++found.points;
+/// What a file's columns are.
+struct Columns {
+    std::vector<Point> points;
+    std::vector<std::string> quantities; ///< names of triples of other quantities
+    std::vector<std::string> others;     ///< names of columns that belong to no point
+    std::vector<std::string> names;      ///< of all columns, with the axis last
+};
+
+/// Collects columns by the names of their points. Points of the same name are told apart by their
+/// order: a second x begins the second of them.
+class PointFinder {
+  public:
+    explicit PointFinder(const std::vector<std::string>& names, AxisPlace place) {
+        found_.names = names;
+        for (std::size_t c = 0; c < names.size(); ++c)
+            if (Coordinate coordinate = coordinate_of(names[c], place); coordinate.point.empty())
+                rest_.push_back(c);
+            else
+                add(coordinate, c);
+        for (const std::size_t c : rest_)
+            if (!add_confidence(c))
+                found_.others.push_back(found_.names[c]);
+        sort_out();
     }
-    return found;
+
+    Columns columns() && { return std::move(found_); }
+
+  private:
+    /// Points of one name.
+    struct Namesakes {
+        std::vector<std::size_t> points;
+        std::size_t with_confidence = 0;
+    };
+
+    void add(const Coordinate& coordinate, std::size_t c) {
+        Namesakes& same = by_name_[to_lower(coordinate.point)];
+        if (same.points.empty() || all_[same.points.back()].columns[coordinate.axis] != none) {
+            same.points.push_back(all_.size());
+            all_.emplace_back().name = coordinate.point;
+        }
+        Point& point = all_[same.points.back()];
+        point.columns[coordinate.axis] = static_cast<std::int64_t>(c);
+        point.is_set_apart = point.is_set_apart && coordinate.is_set_apart;
+        point.unit = unit_of(found_.names[c]);
+        found_.names[c] = coordinate.name;
+    }
+
+    bool add_confidence(std::size_t c) {
+        const std::string_view name = point_of_confidence(found_.names[c]);
+        const auto same = name.empty() ? by_name_.end() : by_name_.find(to_lower(name));
+        if (same == by_name_.end() || same->second.with_confidence == same->second.points.size())
+            return false;
+        all_[same->second.points[same->second.with_confidence++]].confidence =
+            static_cast<std::int64_t>(c);
+        return true;
+    }
+
+    void sort_out() {
+        for (Point& point : all_)
+            if (point.space() == 0) {
+                for (const std::int64_t column : point.columns)
+                    if (column != none)
+                        found_.others.push_back(found_.names[static_cast<std::size_t>(column)]);
+            } else if (is_other_quantity(point.name) || is_other_unit(point.unit)) {
+                found_.quantities.push_back(std::move(point.name));
+            } else {
+                found_.points.push_back(std::move(point));
+            }
+    }
+
+    Columns found_;
+    std::vector<Point> all_; ///< in the order of their first columns
+    std::map<std::string, Namesakes> by_name_;
+    std::vector<std::size_t> rest_;
+};
+
+/// The place of the axes is the one that more columns have.
+Columns find_points(const std::vector<std::string>& names) {
+    Columns last = PointFinder(names, AxisPlace::last).columns();
+    Columns first = PointFinder(names, AxisPlace::first).columns();
+    return first.points.size() > last.points.size() ? std::move(first) : std::move(last);
 }
 
-std::vector<std::string> renamed(const std::vector<std::string>& names,
-                                 std::string (*rename)(std::string_view)) {
-    std::vector<std::string> result;
-    std::ranges::transform(names, std::back_inserter(result), rename);
-    return result;
+/// Whether the last word of a file's name is one for angles, as of "walk_rot.csv".
+bool is_named_after_angles(const std::string& file) {
+    constexpr std::string_view words[] = {"rot",    "rots", "rotation", "rotations", "angle",
+                                          "angles", "ang",  "euler",    "eulers",    "orientation"};
+    const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
+    std::string stem = to_lower(std::filesystem::path(file).stem().string());
+    while (!stem.empty() && !is_letter(stem.back()))
+        stem.pop_back();
+    const auto before = std::find_if_not(stem.rbegin(), stem.rend(), is_letter);
+    return std::ranges::find(words, std::string_view(before.base(), stem.end())) != std::end(words);
+}
+
+std::size_t coordinates_of(const Columns& found) {
+    return found.points.size() * static_cast<std::size_t>(found.points[0].space());
 }
 
 /// Why columns that are named as points may be something else; empty: they are points. Fewer than
 /// three points must have all columns, three or more must have most of the columns.
-std::string doubt(const Columns& found) {
-    const auto others = std::ssize(found.others);
-    if (!found.same_space)
+std::string doubt(const Columns& found, const std::string& file) {
+    const auto count = [&](auto holds) { return std::ranges::count_if(found.points, holds); };
+    const std::int64_t all = std::ssize(found.points);
+    const std::int64_t with_confidence =
+        count([](const Point& point) { return point.confidence != none; });
+    if (is_named_after_angles(file))
+        return "the name of the file is that of angles";
+    if (count([&](const Point& point) { return point.space() == found.points[0].space(); }) < all)
         return "some have 2 coordinates, and some 3";
-    if (!found.confidence.empty() && std::ssize(found.confidence) != found.points)
+    if (with_confidence > 0 && with_confidence < all)
         return "only some have a confidence";
-    if (others > 0 && (found.points < least_points || others >= std::ssize(found.coordinates)))
+    if (!found.others.empty() &&
+        (all < least_points || found.others.size() >= coordinates_of(found)))
         return "there are as many other columns, or fewer than 3 points: " +
                in_quotes(found.others[0]);
-    if (!found.quantities.empty() && found.points < least_points)
+    if (!found.quantities.empty() && all < least_points)
         return "there are other quantities, and fewer than 3 points: " +
                in_quotes(found.quantities[0]);
-    if (!found.are_set_apart && found.points < least_points)
+    if (all < least_points && count([](const Point& point) { return !point.is_set_apart; }) > 0)
         return "fewer than 3 points need names such as 'heel_x'";
     return {};
 }
@@ -88,6 +167,13 @@ void note_left_out(const Columns& found, Clip& clip) {
                         in_quotes(found.others.front())));
 }
 
+void note_unit(const Columns& found, Clip& clip) {
+    const std::string& unit = found.points[0].unit;
+    if (!unit.empty() &&
+        std::ranges::all_of(found.points, [&](const Point& point) { return point.unit == unit; }))
+        clip.notes.push_back("unit of the positions, by the names of the columns: " + unit);
+}
+
 Matrix columns_of(const Matrix& values, const std::vector<std::int64_t>& columns,
                   const Progress& progress) {
     Matrix result = Matrix::unset(values.rows(), std::ssize(columns));
@@ -100,6 +186,47 @@ Matrix columns_of(const Matrix& values, const std::vector<std::int64_t>& columns
     return result;
 }
 
+/// Keeps the points of one subject.
+void choose_subject(Columns& found, Clip& clip, const std::string& file,
+                    const ReadOptions& options) {
+    std::vector<std::string> names;
+    for (const Point& point : found.points)
+        names.push_back(point.name);
+    // The rows of one subject have been chosen.
+    SubjectPoints chosen =
+        points_of_subject(names, clip.subject.empty() ? options.subject : std::string(), file);
+    if (clip.subject.empty())
+        clip.subject = chosen.subject;
+    if (!chosen.note.empty())
+        clip.notes.push_back(std::move(chosen.note));
+    std::vector<Point> points;
+    for (const std::size_t i : chosen.points)
+        points.push_back(std::move(found.points[i]));
+    found.points = std::move(points);
+}
+
+/// Makes the clip one of points, with x, y and z beside each other.
+void keep_points(const Columns& found, Clip& clip, const ReadOptions& options) {
+    std::vector<std::int64_t> coordinates, confidence;
+    clip.space = found.points[0].space();
+    for (const Point& point : found.points) {
+        coordinates.insert(coordinates.end(), point.columns.begin(),
+                           point.columns.begin() + clip.space);
+        if (point.confidence != none)
+            confidence.push_back(point.confidence);
+    }
+    const Matrix sure = columns_of(clip.values, confidence, options.progress);
+    clip.channel_names = found.names;
+    keep_columns(clip, coordinates, options.progress);
+    if (confidence.empty())
+        return;
+    const std::int64_t dropped =
+        drop_unsure(clip.values, clip.space, sure.view(), options.least_confidence);
+    clip.notes.push_back(format_text("columns of confidence: {} of {} positions are below {:g} and "
+                                     "taken as missing",
+                                     dropped, sure.rows() * sure.cols(), options.least_confidence));
+}
+
 } // namespace
 
 void keep_columns(Clip& clip, const std::vector<std::int64_t>& columns, const Progress& progress) {
@@ -110,35 +237,20 @@ void keep_columns(Clip& clip, const std::vector<std::int64_t>& columns, const Pr
     clip.channel_names = std::move(names);
 }
 
-void take_points(Clip& clip, const ReadOptions& options) {
-    std::vector<std::string> names = renamed(clip.channel_names, without_unit);
-    Columns found = find_points(names);
-    if (found.points == 0) {
-        names = renamed(names, axis_last);
-        found = find_points(names);
-    }
-    if (found.points == 0)
+void take_points(Clip& clip, const std::string& file, const ReadOptions& options) {
+    Columns found = find_points(clip.channel_names);
+    if (found.points.empty())
         return;
-    if (const std::string why = doubt(found); !why.empty()) {
+    choose_subject(found, clip, file, options);
+    if (const std::string why = doubt(found, file); !why.empty()) {
         clip.notes.push_back(format_text("{} columns are named as coordinates, but not taken as "
                                          "those of points: {}",
-                                         found.coordinates.size(), why));
+                                         coordinates_of(found), why));
         return;
     }
-    clip.channel_names = std::move(names);
-    const Matrix confidence = columns_of(clip.values, found.confidence, options.progress);
-    if (std::ssize(found.coordinates) < clip.values.cols())
-        keep_columns(clip, found.coordinates, options.progress);
-    clip.space = found.space;
+    keep_points(found, clip, options);
     note_left_out(found, clip);
-    if (found.confidence.empty())
-        return;
-    const std::int64_t dropped =
-        drop_unsure(clip.values, clip.space, confidence.view(), options.least_confidence);
-    clip.notes.push_back(format_text("columns of confidence: {} of {} positions are below {:g} and "
-                                     "taken as missing",
-                                     dropped, confidence.rows() * confidence.cols(),
-                                     options.least_confidence));
+    note_unit(found, clip);
 }
 
 } // namespace stltsa::clip

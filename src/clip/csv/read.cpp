@@ -6,9 +6,12 @@
 #include <span>
 
 #include "base/formula.hpp"
+#include "clip/csv/bids.hpp"
 #include "clip/csv/cells.hpp"
+#include "clip/csv/date_time.hpp"
 #include "clip/csv/headers.hpp"
 #include "clip/csv/point_columns.hpp"
+#include "clip/csv/subject_rows.hpp"
 #include "clip/csv/time_column.hpp"
 #include "clip/text/number.hpp"
 #include "clip/text/text_cursor.hpp"
@@ -50,11 +53,13 @@ std::string_view next_row(TextCursor& in) {
 
 class CsvReader {
   public:
-    CsvReader(TextCursor& in, Clip& clip, const Progress& progress)
-        : in_(in), clip_(clip), polls_(progress, Stage::read, 1) {}
+    CsvReader(TextCursor& in, Clip& clip, const ReadOptions& options)
+        : in_(in), clip_(clip), options_(options), polls_(options.progress, Stage::read, 1) {}
 
     void read() {
-        if (auto head = read_head(in_)) {
+        if (!options_.channels.empty()) {
+            described_rows();
+        } else if (auto head = read_head(in_)) {
             separator_ = head->separator;
             clip_.fps = head->fps;
             clip_.notes = std::move(head->notes);
@@ -66,15 +71,39 @@ class CsvReader {
         }
         if (rows_ == 0)
             in_.fail(Status::format, "the file has no rows of numbers");
+        refuse_text_only();
         Matrix values = Matrix::unset(rows_, static_cast<std::int64_t>(columns_));
         for (std::int64_t i = 0; i < rows_; ++i) {
             std::copy_n(values_.data() + i * values.cols(), values.cols(), values.row(i));
             polls_.did(values.cols());
         }
         clip_.values = std::move(values);
+        take_rows_of_subject(clip_, subject_column_, subjects_, in_.name(), options_);
+        drop_text();
     }
 
   private:
+    /// Motion-BIDS: another file describes the columns.
+    void described_rows() {
+        clip_.channel_names = channel_names(options_.channels, options_.progress);
+        clip_.notes.push_back("columns as in " + options_.channels);
+        if (!options_.sidecar.empty())
+            clip_.fps = sampling_frequency(options_.sidecar, options_.progress);
+        if (clip_.fps > 0)
+            clip_.notes.push_back(
+                format_text("{:g} frames a second from {}", clip_.fps, options_.sidecar));
+        columns_ = clip_.channel_names.size();
+        said_by_ = options_.channels;
+        std::string_view line = next_row(in_);
+        separator_ = '\t';
+        if (!line.empty() && is_header(split(line), {})) {
+            clip_.notes.emplace_back("the first line is a header: not read");
+            line = next_row(in_);
+        }
+        for (; !line.empty(); line = next_row(in_))
+            row(split(line));
+    }
+
     void one_header() {
         std::string_view line = next_row(in_);
         // A header may contain any characters, so the second line determines the separator.
@@ -124,6 +153,9 @@ class CsvReader {
         for (const std::string_view cell : cells)
             clip_.channel_names.push_back(text_of(without_apostrophe(cell)));
         columns_ = cells.size();
+        const auto subject = std::ranges::find_if(clip_.channel_names, names_subject);
+        if (subject != clip_.channel_names.end())
+            subject_column_ = static_cast<std::size_t>(subject - clip_.channel_names.begin());
     }
 
     void row(Cells cells) {
@@ -132,10 +164,15 @@ class CsvReader {
         if (columns_ == 0)
             columns_ = cells.size();
         if (cells.size() != columns_ || columns_ == 0)
-            in_.fail(Status::format, "{} cells, but the previous lines have {}", cells.size(),
+            in_.fail(Status::format, "{} cells, but {} {}", cells.size(),
+                     said_by_.empty() ? "the previous lines have" : said_by_ + " describes",
                      columns_);
+        contents_.resize(columns_);
         for (std::size_t c = 0; c < columns_; ++c)
             values_.push_back(number(cells[c], c));
+        if (subject_column_)
+            subjects_.push_back(is_gap(cells[*subject_column_]) ? std::string()
+                                                                : text_of(cells[*subject_column_]));
         ++rows_;
     }
 
@@ -144,10 +181,68 @@ class CsvReader {
         if ((!value || !std::isfinite(*value)) && is_gap(cell)) // "nan" is both
             return std::numeric_limits<double>::quiet_NaN();
         if (!value)
-            in_.fail(Status::format, "column {}: {} is not a number", title(c), in_quotes(cell));
+            return text(cell, c);
         if (!std::isfinite(*value))
             in_.fail(Status::not_finite, "column {} is {}", title(c), *value);
+        if (contents_[c].kind == Content::Kind::text)
+            refuse(contents_[c], c);
+        contents_[c].kind = Content::Kind::number;
         return *value;
+    }
+
+    /// What the cells of a column have been so far.
+    struct Content {
+        enum class Kind { nothing, number, text } kind = Kind::nothing;
+        std::int64_t line = 0; ///< of the first text
+        std::string text;
+    };
+
+    /// Seconds, or no value: columns of text are left out. A text among numbers is an error.
+    double text(std::string_view cell, std::size_t c) {
+        const bool is_number = contents_[c].kind == Content::Kind::number;
+        if (const auto seconds = parse_date_time(cell)) {
+            contents_[c].kind = Content::Kind::number;
+            if (!is_number && !clip_.channel_names.empty())
+                clip_.channel_names[c] = "time (s)";
+            return *seconds;
+        }
+        if (is_number || clip_.channel_names.empty())
+            refuse({Content::Kind::text, in_.line_number(), std::string(cell)}, c);
+        if (contents_[c].kind == Content::Kind::nothing)
+            contents_[c] = {Content::Kind::text, in_.line_number(), std::string(cell)};
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+
+    [[noreturn]] void refuse(const Content& content, std::size_t c) const {
+        in_.fail_at(content.line, Status::format, "column {}: {} is not a number", title(c),
+                    in_quotes(content.text));
+    }
+
+    void refuse_text_only() const {
+        const auto is_text = [](const Content& content) {
+            return content.kind == Content::Kind::text;
+        };
+        if (std::ranges::none_of(contents_, [](const Content& content) {
+                return content.kind == Content::Kind::number;
+            }))
+            if (const auto first = std::ranges::find_if(contents_, is_text);
+                first != contents_.end())
+                refuse(*first, static_cast<std::size_t>(first - contents_.begin()));
+    }
+
+    /// Columns without any number.
+    void drop_text() {
+        std::vector<std::int64_t> kept;
+        std::string names;
+        for (std::size_t c = 0; c < columns_; ++c)
+            if (contents_[c].kind == Content::Kind::text)
+                names += (names.empty() ? "" : ", ") + in_quotes(clip_.channel_names[c]);
+            else
+                kept.push_back(static_cast<std::int64_t>(c));
+        if (names.empty())
+            return;
+        keep_columns(clip_, kept, options_.progress);
+        clip_.notes.push_back("columns of text, left out: " + names);
     }
 
     std::string title(std::size_t c) const {
@@ -158,11 +253,16 @@ class CsvReader {
 
     TextCursor& in_;
     Clip& clip_;
+    const ReadOptions& options_;
     PacedPoll polls_;
     char separator_ = ',';
     std::size_t columns_ = 0;
     std::int64_t rows_ = 0;
     std::vector<double> values_;
+    std::vector<Content> contents_;
+    std::string said_by_; ///< the file that describes the columns
+    std::optional<std::size_t> subject_column_;
+    std::vector<std::string> subjects_; ///< of the rows
 };
 
 } // namespace
@@ -170,10 +270,10 @@ class CsvReader {
 Clip parse_csv(std::string_view bytes, const std::string& name, const ReadOptions& options) {
     TextCursor in(bytes, name, options.progress);
     Clip clip;
-    CsvReader reader(in, clip, options.progress);
+    CsvReader reader(in, clip, options);
     reader.read();
     extract_time(clip, name, options);
-    take_points(clip, options);
+    take_points(clip, name, options);
     return clip;
 }
 

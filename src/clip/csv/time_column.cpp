@@ -43,8 +43,8 @@ double time_unit(std::string_view name) {
 }
 
 bool counts_frames(std::string_view name, bool is_first) {
-    constexpr std::string_view words[] = {"frame",      "frames", "frameno", "framenumber",
-                                          "frameindex", "index",  "sample"};
+    constexpr std::string_view words[] = {"frame",      "frames",   "frameno", "framenumber",
+                                          "frameindex", "frameidx", "index",   "sample"};
     const std::string letters = letters_of(name);
     return (is_first && trim(name).empty()) ||
            std::find(std::begin(words), std::end(words), letters) != std::end(words);

@@ -2,6 +2,7 @@
 #include "clip/features/point_names.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
 
 #include "clip/text/text_cursor.hpp"
@@ -12,20 +13,59 @@ namespace {
 /// Between the name of a point and the axis.
 constexpr std::string_view separators = "_. :-";
 
-/// The name of the point in lower case; empty if the coordinate is not the one along `axis`.
-std::string stem_of(std::string_view name, char axis) {
-    const std::string lower = to_lower(trim(name));
-    return lower.ends_with(axis) ? std::string(point_name(lower)) : std::string();
+/// Where the bracket begins that a name ends with; npos: it ends with none.
+std::size_t bracket_of(std::string_view name) {
+    const char last = name.empty() ? '\0' : name.back();
+    return last == ']' ? name.rfind('[') : last == ')' ? name.rfind('(') : name.npos;
 }
 
-/// The common stem of three columns; empty if they are not named x, y, z.
-std::string stem_at(const std::vector<std::string>& names, std::size_t first) {
-    if (first + 3 > names.size())
+std::string_view in_bracket(std::string_view name) {
+    const std::size_t begin = bracket_of(name);
+    return begin == name.npos ? std::string_view()
+                              : trim(name.substr(begin + 1, name.size() - begin - 2));
+}
+
+/// The axis of "x" or "Y", and of the indices 0 to 2 if it is in a bracket.
+std::optional<std::size_t> axis_of(std::string_view text, bool of_bracket) {
+    constexpr std::string_view letters = "xyz", indices = "012";
+    if (text.size() != 1)
+        return std::nullopt;
+    std::size_t axis = letters.find(to_lower(text));
+    if (axis == letters.npos && of_bracket)
+        axis = indices.find(text[0]);
+    return axis == letters.npos ? std::nullopt : std::optional(axis);
+}
+
+/// With "_x" after it, as points are named whose axis is not last.
+Coordinate named(std::string_view point, std::size_t axis) {
+    if (point.empty())
         return {};
-    const std::string stem = stem_of(names[first], 'x');
-    const bool same =
-        stem == stem_of(names[first + 1], 'y') && stem == stem_of(names[first + 2], 'z');
-    return same ? stem : std::string();
+    return {std::string(point), std::string(point) + '_' + "xyz"[axis], axis, true};
+}
+
+Coordinate axis_last(std::string_view name) {
+    if (const auto axis = axis_of(in_bracket(name), true))
+        return named(trim(name.substr(0, bracket_of(name))), *axis);
+    const auto axis = name.empty() ? std::nullopt : axis_of(name.substr(name.size() - 1), false);
+    const std::string_view point = axis ? point_name(name) : std::string_view();
+    if (point.empty())
+        return {};
+    const bool is_capital = name.back() < 'a';
+    return {std::string(point), std::string(name), *axis,
+            is_capital || point.size() + 1 < name.size()};
+}
+
+Coordinate axis_first(std::string_view name) {
+    constexpr std::string_view digits = "0123456789";
+    const auto axis = axis_of(name.substr(0, 1), false);
+    if (!axis || name.size() < 2)
+        return {};
+    name.remove_prefix(1);
+    if (separators.find(name[0]) != separators.npos)
+        name.remove_prefix(1);
+    else if (digits.find(name[0]) == digits.npos)
+        return {};
+    return named(name, *axis);
 }
 
 /// Whether one of the words of the stem is the word.
@@ -38,49 +78,28 @@ bool has_word(const std::string& stem, std::string_view word) {
     return (at == 0 || !is_letter(stem[at - 1])) && (end == stem.size() || !is_letter(stem[end]));
 }
 
-/// Sensors and results of models name their columns as points do.
-bool is_other_quantity(const std::string& stem) {
-    constexpr std::string_view parts[] = {"angle", "rotation", "euler",  "accel", "gyr",  "magn",
-                                          "veloc", "torque",   "moment", "force", "power"};
-    constexpr std::string_view words[] = {"acc", "ang", "mag", "rot", "vel"};
-    return std::any_of(std::begin(parts), std::end(parts),
-                       [&](std::string_view part) { return stem.find(part) != stem.npos; }) ||
-           std::any_of(std::begin(words), std::end(words),
-                       [&](std::string_view word) { return has_word(stem, word); });
-}
-
-bool is_confidence(std::string_view name, const std::string& stem) {
-    constexpr std::string_view words[] = {"likelihood", "confidence", "score", "conf",
-                                          "visibility"};
-    const std::string lower = to_lower(trim(name));
-    return std::ranges::any_of(words, [&](std::string_view word) {
-        return lower.ends_with(word) && lower.starts_with(stem) &&
-               lower.size() <= stem.size() + 1 + word.size();
-    });
-}
-
 } // namespace
 
-std::string without_unit(std::string_view name) {
-    const std::string_view whole = trim(name);
-    const char last = whole.empty() ? '\0' : whole.back();
-    const std::size_t begin = last == ']'   ? whole.rfind('[')
-                              : last == ')' ? whole.rfind('(')
-                                            : whole.npos;
-    return std::string(trim(whole.substr(0, begin)));
+std::string_view unit_of(std::string_view name) {
+    const std::string_view unit = in_bracket(trim(name));
+    return axis_of(unit, true) ? std::string_view() : unit;
 }
 
-std::string axis_last(std::string_view name) {
-    constexpr std::string_view axes = "xyzXYZ", digits = "0123456789";
+std::string_view without_unit(std::string_view name) {
     const std::string_view whole = trim(name);
-    if (whole.size() < 2 || axes.find(whole[0]) == axes.npos)
-        return std::string(name);
-    std::string_view stem = whole.substr(1);
-    if (separators.find(stem[0]) != separators.npos)
-        stem.remove_prefix(1);
-    else if (digits.find(stem[0]) == digits.npos)
-        return std::string(name);
-    return stem.empty() ? std::string(name) : std::string(stem) + '_' + whole[0];
+    return axis_of(in_bracket(whole), true) ? whole : trim(whole.substr(0, bracket_of(whole)));
+}
+
+bool is_other_unit(std::string_view unit) {
+    constexpr std::string_view units[] = {
+        "deg",     "degs", "degree", "degrees",   "\xC2\xB0", "rad",  "rads", "radian",
+        "radians", "n",    "nm",     "nmm",       "n.m",      "n.mm", "n*m",  "w",
+        "v",       "mv",   "uv",     "\xC2\xB5V", "t",        "ut",   "g"};
+    if (equals_ignoring_case(unit, "n/a"))
+        return false;
+    return unit.find('/') != unit.npos || std::ranges::any_of(units, [unit](std::string_view u) {
+               return equals_ignoring_case(unit, u);
+           });
 }
 
 std::string_view point_name(std::string_view coordinate) {
@@ -91,27 +110,51 @@ std::string_view point_name(std::string_view coordinate) {
     return name;
 }
 
-bool names_coordinate(const std::vector<std::string>& names, std::size_t column) {
-    for (std::size_t back = 0; back < 3 && back <= column; ++back)
-        if (!stem_at(names, column - back).empty())
-            return true;
-    return false;
+Coordinate coordinate_of(std::string_view column, AxisPlace place) {
+    const std::string_view name = without_unit(column);
+    return place == AxisPlace::last ? axis_last(name) : axis_first(name);
 }
 
-PointColumns point_at(const std::vector<std::string>& names, std::size_t first) {
-    PointColumns found;
-    if (first + 2 > names.size())
-        return found;
-    found.stem = stem_of(names[first], 'x');
-    if (found.stem.empty() || stem_of(names[first + 1], 'y') != found.stem)
-        return found;
-    found.space = first + 2 < names.size() && stem_of(names[first + 2], 'z') == found.stem ? 3 : 2;
-    const std::string_view name = trim(names[first]);
-    found.is_set_apart = found.stem.size() + 1 < name.size() || name.back() == 'X';
-    found.other_quantity = is_other_quantity(found.stem);
-    const std::size_t next = first + static_cast<std::size_t>(found.space);
-    found.has_confidence = next < names.size() && is_confidence(names[next], found.stem);
-    return found;
+std::string_view point_of_confidence(std::string_view column) {
+    constexpr std::string_view words[] = {"likelihood", "confidence", "score", "conf",
+                                          "visibility"};
+    const std::string_view name = trim(column);
+    const std::string lower = to_lower(name);
+    for (const std::string_view word : words)
+        if (lower.size() > word.size() && lower.ends_with(word))
+            return point_name(name.substr(0, name.size() - word.size() + 1));
+    return {};
+}
+
+bool is_other_quantity(std::string_view point) {
+    constexpr std::string_view parts[] = {"angle",  "rotation", "euler", "quat",  "accel",
+                                          "gyr",    "magn",     "veloc", "ornt",  "jntang",
+                                          "torque", "moment",   "force", "power", "orientation"};
+    constexpr std::string_view words[] = {"acc", "ang", "mag", "rot", "vel"};
+    const std::string stem = to_lower(point);
+    return std::any_of(std::begin(parts), std::end(parts),
+                       [&](std::string_view part) { return stem.find(part) != stem.npos; }) ||
+           std::any_of(std::begin(words), std::end(words),
+                       [&](std::string_view word) { return has_word(stem, word); });
+}
+
+bool names_coordinate(const std::vector<std::string>& names, std::size_t column) {
+    const auto at = [&](std::size_t first) {
+        std::string point;
+        unsigned axes = 0;
+        for (std::size_t c = first; c < first + 3 && c < names.size(); ++c) {
+            const Coordinate found = coordinate_of(names[c], AxisPlace::last);
+            if (found.point.empty() || (c > first && !equals_ignoring_case(found.point, point)))
+                return false;
+            point = found.point;
+            axes |= 1u << found.axis;
+        }
+        return axes == 7;
+    };
+    for (std::size_t back = 0; back < 3 && back <= column; ++back)
+        if (at(column - back))
+            return true;
+    return false;
 }
 
 } // namespace stltsa::clip

@@ -14,28 +14,39 @@ constexpr std::int64_t least_points = 3;
 /// The name of a coordinate, not empty, without its axis: "heel" of "heel_x".
 std::string_view point_name(std::string_view coordinate);
 
-/// The name without a unit after it: "heel_x" of "heel_x [mm]" and "heel_x (mm)".
-std::string without_unit(std::string_view name);
+/// The unit after a name: "mm" of "heel_x [mm]" and "heel_x (mm)"; empty: none.
+std::string_view unit_of(std::string_view name);
 
-/// The same coordinate with its axis last: "heel_x" of "x_heel", "1_x" of "x1"; other names are
-/// unchanged.
-std::string axis_last(std::string_view name);
+/// The name without the unit.
+std::string_view without_unit(std::string_view name);
 
-/// Whether the column and two beside it are named as the coordinates of one point: a stem and x, y,
-/// z, as in "heel_x", "heel.Y", "heel z", "heelX", "heel:x".
-bool names_coordinate(const std::vector<std::string>& names, std::size_t column);
+/// Whether a unit is that of an angle, a force or another quantity that is not a length.
+bool is_other_unit(std::string_view unit);
 
-/// Columns that belong to one point.
-struct PointColumns {
-    int space = 0; ///< 2 or 3 columns of coordinates; 0: no point begins here
-    bool has_confidence = false;
-    bool other_quantity = false; ///< an angle, a force or a velocity
-    bool is_set_apart = false;   ///< the axis, by a separator or as a capital: not as in "max"
-    std::string stem;            ///< in lower case
+/// Where the names have the axis: after the point, as "heel_x", "heel.Y", "heel z", "heelX",
+/// "heel:x", "heel[0]", "heel (x)", or before it, as "x_heel", "X.heel", "x1".
+enum class AxisPlace { last, first };
+
+/// A column that is named as the coordinate of a point.
+struct Coordinate {
+    std::string point;         ///< without axis and unit, as written; empty: it is not named so
+    std::string name;          ///< with its axis last: "heel_x" of "x_heel" and "heel[0]"
+    std::size_t axis = 0;      ///< 0, 1, 2 for x, y, z
+    bool is_set_apart = false; ///< the axis, by a separator or as a capital: not as in "max"
 };
 
-/// The columns from `first` on: named x and y, or x, y and z, then perhaps likelihood, confidence
-/// or score.
-PointColumns point_at(const std::vector<std::string>& names, std::size_t first);
+Coordinate coordinate_of(std::string_view column, AxisPlace place);
+
+/// The point that a column of likelihood, confidence or score belongs to, "nose" of "nose_score".
+/// Empty: it is not named so.
+std::string_view point_of_confidence(std::string_view column);
+
+/// Whether the name is that of a sensor or a result of a model, such as "hip angle", and not of a
+/// point.
+bool is_other_quantity(std::string_view point);
+
+/// Whether the column and two beside it are named as the coordinates of one point, with their axes
+/// last, in any order.
+bool names_coordinate(const std::vector<std::string>& names, std::size_t column);
 
 } // namespace stltsa::clip
