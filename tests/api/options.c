@@ -13,7 +13,7 @@ static stltsa_option_info describe(int64_t index) {
 static void every_option_is_described_and_holds_its_default(void** state) {
     (void)state;
     assert_int_equal(stltsa_option_count(),
-                     STLTSA_OPT_IN_PLACE - 1); /* no option has the value 31 */
+                     STLTSA_OPT_SUBJECT - 1); /* no option has the value 31 */
     int32_t before = 0;
     for (int64_t i = 0; i < stltsa_option_count(); ++i) {
         const stltsa_option_info info = describe(i);

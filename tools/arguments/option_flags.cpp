@@ -62,7 +62,7 @@ std::string value_name(const OptionInfo& info) {
     if (info.choices != nullptr)
         return choice_names(info);
     if (info.type == STLTSA_TYPE_TEXT)
-        return fmt::format("{}|FILE", automatic);
+        return fmt::format("{}|{}", automatic, info.key == STLTSA_OPT_SUBJECT ? "NAME" : "FILE");
     const std::string number = counts_frames(info.key) ? "N|SECONDSs" : "N";
     return info.automatic != 0 ? fmt::format("{}|{}", automatic, number) : number;
 }

@@ -45,7 +45,7 @@ def test_every_build_has_all_modes(circle):
 
 def test_keywords_are_the_table():
     table = {option.name for option in stltsa.options()}
-    assert set(stltsa.Options.__annotations__) == table | {"individual", "progress"}
+    assert set(stltsa.Options.__annotations__) == table | {"progress"}
 
 
 def test_choices_are_the_table():

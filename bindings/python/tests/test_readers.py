@@ -257,7 +257,7 @@ def test_movement():
         stltsa.decompose(data)
     with pytest.raises(ValueError, match="must be one of"):
         stltsa.decompose(data, individual="cat")
-    with pytest.raises(TypeError, match="dataset of several individuals"):
+    with pytest.raises(TypeError, match="a path or a dataset if individual="):
         stltsa.decompose(np.ones((100, 3)), fps=30, individual="mouse1")
 
 

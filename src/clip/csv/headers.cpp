@@ -271,6 +271,10 @@ class HeadReader {
                !parse_cell(cells[2]) && !cells[2].empty();
     }
 
+    bool has_units(const Line& cells) const {
+        return can_be_level(cells) && is_all(cells, is_unit);
+    }
+
     /// Whether it could, but all its columns are empty, as those of "Parent" may be.
     bool is_empty_level(const Line& cells) const {
         return is_wide(cells) && !can_be_level(cells) && filled(cells) == 1;
@@ -298,8 +302,8 @@ class HeadReader {
             cells.resize(columns_);
             if (!can_be_level(lines_[i]))
                 continue;
-            const bool is_last = i + 1 == end || is_all(lines_[i + 1], is_unit);
-            if (is_all(cells, is_unit) && !levels.empty())
+            const bool is_last = i + 1 == end || has_units(lines_[i + 1]);
+            if (has_units(cells) && !levels.empty())
                 units_ = std::move(cells);
             else if (is_last || names_subjects(cells) ||
                      !(is_beside_names(cells) || is_constant(cells)))

@@ -115,9 +115,8 @@ void take_rows_of_subject(Clip& clip, std::optional<std::size_t> column,
     const std::int64_t count = clip.values.rows();
     clip.values = spread(clip.values, *frames, file);
     if (const std::int64_t missing = clip.values.rows() - count; missing > 0)
-        clip.notes.push_back(
-            format_text("frames without a row, taken as missing: {} of {}", missing,
-                        clip.values.rows()));
+        clip.notes.push_back(format_text("frames without a row, taken as missing: {} of {}",
+                                         missing, clip.values.rows()));
 }
 
 } // namespace stltsa::clip

@@ -41,8 +41,7 @@ std::string_view subject_of(std::string_view point) {
 std::string one_subject(const std::vector<std::string>& subjects, const std::string& wanted,
                         const std::string& file) {
     if (wanted.empty() && subjects.size() > 1)
-        fail(Status::argument,
-             "{}: there are {} subjects, {}: choose one of them (option subject, --subject NAME)",
+        fail(Status::argument, "{}: there are {} subjects, {}: choose one with option subject",
              file, subjects.size(), in_a_list(subjects));
     if (!wanted.empty() && std::ranges::find(subjects, wanted) == subjects.end())
         fail(Status::argument, "{}: option subject is {}, but {}", file, in_quotes(wanted),

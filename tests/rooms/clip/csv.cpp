@@ -279,6 +279,49 @@ void preambles_of_clinical_exports(void**) {
     assert_int_equal(optical.values.cols(), 9);
 }
 
+/// An optical system whose row of parents is empty, and whose labels differ in kind.
+void labels_that_name_no_columns(void**) {
+    const std::string data = "0,0.0,1,2,3,4,5,6\n1,0.01,1,2,3,4,5,6\n2,0.02,1,2,3,4,5,6\n";
+    for (const char* parent : {"", ",Parent,,,,,,\n", ",Parent,P,P,P,Q,Q,Q\n"}) {
+        const Clip clip =
+            csv("Format Version,1.23,Capture Frame Rate,200,Export Frame Rate,50,a,b\n\n"
+                ",Type,Marker,Marker,Marker,Bone,Bone,Bone\n,Name,a,a,a,b,b,b\n"
+                ",ID,1,1,1,2,2,2\n" +
+                std::string(parent) +
+                ",,Position,Position,Position,Position,Position,Position\n"
+                "Frame,Time (Seconds),X,Y,Z,X,Y,Z\n" +
+                data);
+        assert_true(clip.channel_names == (Names{"a_X", "a_Y", "a_Z", "b_X", "b_Y", "b_Z"}));
+        assert_true(clip.notes.at(0) == "50 frames a second from the lines before the header");
+    }
+}
+
+/// Names of markers in one line, with and without times in the rows.
+void marker_names(void**) {
+    const std::string head = "NO_OF_FRAMES\t3\nFREQUENCY\t50\nANALOG_FREQUENCY\t900\n"
+                             "MARKER_NAMES\ta\tb\n";
+    const Clip bare = csv(head + "1\t2\t3\t4\t5\t6\n1\t2\t3\t4\t5\t7\n");
+    assert_true(bare.fps == 50 && bare.space == 3 && bare.values(1, 5) == 7);
+    assert_true(bare.channel_names == (Names{"a_x", "a_y", "a_z", "b_x", "b_y", "b_z"}));
+    const Clip timed = csv(head + "1\t0\t1\t2\t3\t4\t5\t6\n2\t.01\t1\t2\t3\t4\t5\t7\n");
+    assert_true(timed.fps == 100 && timed.values.cols() == 6 && timed.values(1, 5) == 7);
+    ASSERT_FAILS(Status::format, "MARKER_NAMES has 2 names, but the rows have 5 columns",
+                 csv(head + "1\t2\t3\t4\t5\n1\t2\t3\t4\t5\n"));
+}
+
+/// Units of lengths are noted; other units stay with the names, so that no angle is a position.
+void units_of_columns(void**) {
+    const Clip clip = csv("Devices\n1000\n,,EMG,\nFrame,Sub Frame,E1,E2\n,,V,V\n"
+                          "1,0,5,6\n2,0,7,8\n");
+    assert_true(clip.channel_names.back() == "EMG_E2 (V)");
+    const Clip mixed = csv("a_x,a_y,a_z,b_x,b_y,b_z,c_x,c_y,c_z,d_x,d_y,d_z\n"
+                           "mm,mm,mm,mm,mm,mm,mm,mm,mm,deg,deg,deg\n"
+                           "1,2,3,4,5,6,7,8,9,1,2,3\n1,2,3,4,5,6,7,8,9,1,2,3\n");
+    assert_true(mixed.space == 3 && mixed.values.cols() == 9);
+    assert_string_equal(mixed.notes.at(0).c_str(),
+                        "unit of length in the lines before the numbers: mm");
+}
+
 /// A row of data with a letter in it is not a second header.
 void broken_rows_are_no_headers(void**) {
     ASSERT_FAILS(Status::format, "test:2: column 2 ('b'): 'x' is not a number",
@@ -337,6 +380,9 @@ int main() {
         cmocka_unit_test(headers_of_two_levels),
         cmocka_unit_test(key_points_with_likelihoods),
         cmocka_unit_test(preambles_of_clinical_exports),
+        cmocka_unit_test(labels_that_name_no_columns),
+        cmocka_unit_test(marker_names),
+        cmocka_unit_test(units_of_columns),
         cmocka_unit_test(broken_rows_are_no_headers),
         cmocka_unit_test(jitter_loses_no_frame),
         cmocka_unit_test(points_beside_a_damaged_time),

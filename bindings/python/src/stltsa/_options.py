@@ -34,8 +34,6 @@ class Options(Keywords, total=False):
     """
 
     progress: Progress
-    #: Name of one of several individuals in a dataset.
-    individual: str | None
 
 
 class Option(NamedTuple):
@@ -69,7 +67,7 @@ class Option(NamedTuple):
         if self.choices:
             shown = " | ".join(self.choices)
         elif self.type == "text":
-            shown = "path"
+            shown = "name" if self.name == "individual" else "path"
         elif self.type == "int" and (self.minimum, self.maximum) == (0, 1):
             shown = "True | False"
         else:
@@ -112,8 +110,9 @@ def _read_option(index: int) -> Option:
     default = (
         None if info.automatic else int(info.standard) if kind == "int" else float(info.standard)
     )
+    name = string(info.name)
     return Option(
-        string(info.name),
+        "individual" if name == "subject" else name,  # as in datasets of `movement`
         string(info.text),
         kind,
         choices,
@@ -219,8 +218,6 @@ def set_options(handle: Any, values: Mapping[str, Any], rate: float = 0.0) -> in
     `rate`: frames per second, for lengths in seconds; 0: unknown.
     """
     for name, value in values.items():
-        if name == "individual":  # read from the dataset, before the library sees it
-            continue
         option = _TABLE.get(name)
         if option is None:
             raise TypeError(f"there is no option {name!r}; stltsa.options() lists them")

@@ -93,7 +93,7 @@ def decompose(motion: Motion, **options: Unpack[Options]) -> Decomposition:
         An array needs the option `fps` for an answer in seconds. Without it the period is looked
         for in frames, up to 1000, and everything in seconds is NaN; `period_min`, `period_max` and
         `smoothing` are in frames then. A path needs `fps` if the file has no rate; a Clip has its
-        own. A dataset is one of `movement`; `individual` names one of several in it.
+        own. A dataset is one of `movement`; `individual` names one of several in it or in a file.
     **options
         Used: `features`, `up_axis`, `gaps`, `least_confidence`, `keep_start`, `sample_rate`,
         `smoothing`, `period_min`, `period_max`, `segments`, `threads`, `fps`, `individual`,

@@ -21,7 +21,7 @@ mod generated; // a method for each option
 enum Value {
     Int(i64),
     Real(f64),
-    Path(PathBuf),
+    Text(PathBuf), // bytes, as a path may have any
 }
 
 /// Options of a call; unset options have the library's defaults, which suit most clips.
@@ -123,7 +123,7 @@ impl Options {
                 check(match value {
                     Value::Int(value) => sys::stltsa_options_set_int(raw, key, *value),
                     Value::Real(value) => sys::stltsa_options_set_real(raw, key, *value),
-                    Value::Path(path) => {
+                    Value::Text(path) => {
                         let path = c_path(path)?;
                         sys::stltsa_options_set_text(raw, key, path.as_ptr())
                     }
