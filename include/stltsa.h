@@ -570,8 +570,9 @@ enum {
     STLTSA_FORMAT_BVH = 1, /* BVH */
     STLTSA_FORMAT_AMC = 2, /* AMC; needs its ASF: option skeleton, or found by subject number */
     STLTSA_FORMAT_CSV = 3, /* numbers split by , ; tab or blanks; header lines are optional.
-                              Columns named x, y, z of each point make a clip of points; an empty
-                              cell is a missing value */
+                              Columns named x, y, z of each point, in any order, make a clip of
+                              points; an empty cell is a missing value. docs/formats.md lists the
+                              layouts that are read; a *_motion.tsv of Motion-BIDS is one */
     STLTSA_FORMAT_NPY = 4, /* NumPy 1.0 to 3.0, float32, float64 or integers, C or Fortran order:
                               frames, frames x columns, or frames x points x 2 or 3 */
     STLTSA_FORMAT_MATRIX = 5, /* no file: stltsa_clip_from_matrix */
@@ -583,8 +584,9 @@ enum {
 /* Reads a clip, or a stretch of it, whose name follows the path: "walk.bvh:2.5s-9s", see
  * stltsa_clip_stretch; a file of exactly this name comes first, and the options of
  * stltsa_decompose count for the names that need it. The suffix decides the format, or the content
- * if the suffix is unknown. Options:
- * fps, skeleton, least_confidence, progress. E_IO, E_FORMAT (the text has path, line and remedy),
+ * if the suffix is unknown. A folder of a BIDS dataset stands for the one *_motion.tsv in it.
+ * Options: fps, skeleton, subject, least_confidence, progress. E_ARGUMENT (several subjects, or
+ * several such files; the text lists them), E_IO, E_FORMAT (the text has path, line and remedy),
  * E_NOT_FINITE. */
 STLTSA_API stltsa_status stltsa_clip_open(const char *path, const stltsa_options *options,
                                           stltsa_clip **clip) STLTSA_NOEXCEPT;

@@ -223,6 +223,40 @@ def test_broken_archives(tmp_path):
         stltsa.read_clip(path)
 
 
+def two_individuals(path):
+    """Write a file of DeepLabCut: two individuals, the second twice as fast."""
+    names = [(who, joint) for who in ("mouse1", "mouse2") for joint in ("nose", "hip", "tail", "ear")]
+    head = [
+        ["scorer", *["net"] * 24],
+        ["individuals", *(who for who, _ in names for _ in range(3))],
+        ["bodyparts", *(joint for _, joint in names for _ in range(3))],
+        ["coords", *["x", "y", "likelihood"] * 8],
+    ]
+    rows = []
+    for i in range(300):
+        row = [str(i)]
+        for place, (who, _) in enumerate(names):
+            turn = 2 * np.pi * i / (30 if who == "mouse1" else 15) + place
+            row += [f"{place + np.sin(turn):.4f}", f"{place % 3 + np.cos(turn):.4f}", "1"]
+        rows.append(row)
+    path.write_text("".join(",".join(row) + "\n" for row in head + rows))
+    return path
+
+
+def test_individuals_of_files(tmp_path):
+    path = two_individuals(tmp_path / "mice.csv")
+    periods = [
+        stltsa.decompose(path, fps=30, individual=name).period for name in ("mouse1", "mouse2")
+    ]
+    assert periods == pytest.approx([1.0, 0.5], abs=0.02)
+    notes = stltsa.read_clip(path, individual="mouse2").notes
+    assert "subject 'mouse2' of 2: 'mouse1', 'mouse2'" in notes
+    with pytest.raises(stltsa.ArgumentError, match="2 subjects, 'mouse1', 'mouse2': choose one"):
+        stltsa.decompose(path, fps=30)
+    with pytest.raises(stltsa.ArgumentError, match="'cat', but the subjects are"):
+        stltsa.read_clip(path, individual="cat")
+
+
 def dataset(individuals=("mouse1", "mouse2")):
     """Return a dataset as `movement` makes it: two individuals, the second twice as fast."""
     xarray = pytest.importorskip("xarray")

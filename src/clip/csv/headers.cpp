@@ -54,8 +54,7 @@ bool is_unit(std::string_view cell) {
                units, [cell](std::string_view u) { return equals_ignoring_case(cell, u); });
 }
 
-/// "Marker", "Marker", ... of each column, or the name of the network that tracked: they tell no
-/// columns apart.
+/// "Position", "Position", ... of each column: they tell no columns apart.
 bool is_constant(const Line& cells) {
     for (std::size_t c = 3; c < cells.size(); ++c)
         if (cells[c] != cells[2] && !cells[c].empty())
@@ -73,6 +72,11 @@ bool is_labelled(const Line& cells, const std::string_view (&labels)[n]) {
                                return equals_ignoring_case(cell, label);
                            });
                        });
+}
+
+/// Whether it says what its cells are, beside its names.
+bool has_label(const Line& cells) {
+    return !cells[0].empty() || (!cells[1].empty() && cells[1] != cells[2]);
 }
 
 /// Numbers and kinds that a system gives its markers; the name of the network that tracked.
@@ -107,11 +111,12 @@ class HeadReader {
         head.separator = separator_;
         find_rate(head);
         find_unit(head);
-        std::vector<Line> levels = levels_of();
-        if (!levels.empty())
+        if (!take_marker_names(head)) {
+            std::vector<Line> levels = levels_of();
+            if (levels.empty())
+                return std::nullopt;
             set_names(levels, head);
-        else if (!take_marker_names(head))
-            return std::nullopt;
+        }
         if (skipped)
             head.notes.emplace_back("section Trajectories read, the sections before it are not");
         if (first_level_ > 0)
@@ -234,7 +239,7 @@ class HeadReader {
         constexpr std::string_view labels[] = {"marker_names"};
         const auto line = std::ranges::find_if(
             lines_, [&](const Line& cells) { return is_labelled(cells, labels); });
-        if (line == lines_.end())
+        if (line == lines_.end() || lines_.back().size() == columns_)
             return false;
         const auto markers = static_cast<std::size_t>(
             std::find_if_not(line->begin() + 1, line->end(), is_filled) - line->begin() - 1);
@@ -296,7 +301,7 @@ class HeadReader {
                 first_level_ = i - 1;
             else if (!is_empty_level(lines_[i - 1]))
                 break;
-        std::vector<Line> levels;
+        std::vector<Line> levels, constant;
         for (std::size_t i = first_level_; i < end; ++i) {
             Line cells = lines_[i];
             cells.resize(columns_);
@@ -305,10 +310,13 @@ class HeadReader {
             const bool is_last = i + 1 == end || has_units(lines_[i + 1]);
             if (has_units(cells) && !levels.empty())
                 units_ = std::move(cells);
-            else if (is_last || names_subjects(cells) ||
-                     !(is_beside_names(cells) || is_constant(cells)))
+            else if (!is_last && is_constant(cells) && !has_label(cells))
+                constant.push_back(std::move(cells));
+            else if (is_last || !is_beside_names(cells))
                 levels.push_back(std::move(cells));
         }
+        if (levels.size() == 1 && !constant.empty()) // a single marker
+            levels.insert(levels.begin(), std::move(constant.front()));
         return levels;
     }
 

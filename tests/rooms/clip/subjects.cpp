@@ -53,7 +53,7 @@ void points_of_others_are_left_out(void**) {
     assert_true(clip.channel_names == (std::vector<std::string>{"B:heel_x", "B:heel_y"}));
 }
 
-/// Individuals of DeepLabCut; a single one is no prefix.
+/// Individuals of DeepLabCut.
 void individuals(void**) {
     const std::string text = "scorer,n,n,n,n,n,n\nindividuals,m1,m1,m1,m2,m2,m2\n"
                              "bodyparts,nose,nose,nose,nose,nose,nose\n"

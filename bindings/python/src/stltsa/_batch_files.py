@@ -60,7 +60,10 @@ def origin_of(path: str, out: Path, options: Mapping[str, Any]) -> dict[str, Any
     if not skeleton and file.name.lower().endswith(".amc"):
         beside = sorted(filter(_is_skeleton, file.parent.iterdir()))
     content += b"".join(map(_content, beside))
-    named = sorted((option_named(n).key, n, v) for n, v in options.items() if n != "threads")
+    flags = {"individual": "subject"}  # where they differ from the keywords
+    named = sorted(
+        (option_named(n).key, flags.get(n, n), v) for n, v in options.items() if n != "threads"
+    )
     source = os.path.relpath(file.parent.resolve() / file.name, out.resolve())
     return {
         "source": os.fsencode(source).decode("utf-8", "replace"),

@@ -417,7 +417,8 @@ def read_clip(path: str | os.PathLike[str], **options: Unpack[Options]) -> Clip:
         in its folder by subject number; the option `skeleton` names another one. A stretch of the
         clip may follow, as in ``"walk.bvh:2.5s-9s"``: see :meth:`Clip.stretch`.
     **options
-        Used: `fps` (overrides the file), `skeleton`, `least_confidence`, `progress`.
+        Used: `fps` (overrides the file), `skeleton`, `individual` (one of several people or
+        animals in the file), `least_confidence`, `progress`.
 
     Returns
     -------
