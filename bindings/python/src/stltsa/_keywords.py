@@ -53,3 +53,4 @@ class Keywords(TypedDict, total=False):
     least_confidence: float
     loop: bool
     in_place: bool
+    individual: str | Auto | None

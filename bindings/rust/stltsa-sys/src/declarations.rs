@@ -300,6 +300,7 @@ pub const STLTSA_OPT_GAPS: i32 = 33;
 pub const STLTSA_OPT_LEAST_CONFIDENCE: i32 = 34;
 pub const STLTSA_OPT_LOOP: i32 = 35;
 pub const STLTSA_OPT_IN_PLACE: i32 = 36;
+pub const STLTSA_OPT_SUBJECT: i32 = 37;
 pub const STLTSA_GAPS_FILL: i32 = 1;
 pub const STLTSA_GAPS_REFUSE: i32 = 2;
 pub const STLTSA_GAPS_SKIP: i32 = 3;

@@ -98,6 +98,11 @@ kinds! {
         /// `int`: synthesize: 1: of a loop, the root's horizontal travel and its turn are removed,
         /// evenly over the frames, so that the loop ends where it starts; heights are kept.
         InPlace = STLTSA_OPT_IN_PLACE,
+        /// `text`: which of several people or animals in a file is opened: the prefix of its
+        /// points, "Viktor" of "Viktor:LHEE", or its name as an individual or a track; auto: the
+        /// only one. They are never merged: if there are several and none is chosen, E_ARGUMENT,
+        /// with a text that lists them.
+        Subject = STLTSA_OPT_SUBJECT,
     }
     /// Which frames can be neighbors of a frame.
     Mode {
@@ -143,7 +148,8 @@ kinds! {
         /// AMC; needs its ASF: option skeleton, or found by subject number.
         Amc = STLTSA_FORMAT_AMC,
         /// Numbers split by , ; tab or blanks; header lines are optional. Columns named x, y, z of
-        /// each point make a clip of points; an empty cell is a missing value.
+        /// each point, in any order, make a clip of points; an empty cell is a missing value.
+        /// docs/formats.md lists the layouts that are read; a *_motion.tsv of Motion-BIDS is one.
         Csv = STLTSA_FORMAT_CSV,
         /// NumPy 1.0 to 3.0, float32, float64 or integers, C or Fortran order: frames, frames x
         /// columns, or frames x points x 2 or 3.

@@ -124,7 +124,7 @@ impl Options {
     /// The ASF file of an AMC clip; auto: found beside the clip.
     #[must_use]
     pub fn skeleton(self, value: impl AsRef<Path>) -> Self {
-        self.with(sys::STLTSA_OPT_SKELETON, Value::Path(value.as_ref().into()))
+        self.with(sys::STLTSA_OPT_SKELETON, Value::Text(value.as_ref().into()))
     }
 
     /// Keep the fitted frames in the model, so that it can map.
@@ -228,5 +228,12 @@ impl Options {
     #[must_use]
     pub fn in_place(self, value: bool) -> Self {
         self.with(sys::STLTSA_OPT_IN_PLACE, Value::Int(value.into()))
+    }
+
+    /// Which of several people or animals in a file: the prefix of its points (Viktor of
+    /// Viktor:LHEE), or its name as an individual or a track; auto: the only one.
+    #[must_use]
+    pub fn subject(self, value: impl AsRef<str>) -> Self {
+        self.with(sys::STLTSA_OPT_SUBJECT, Value::Text(value.as_ref().into()))
     }
 }
