@@ -225,7 +225,9 @@ def test_broken_archives(tmp_path):
 
 def two_individuals(path):
     """Write a file of DeepLabCut: two individuals, the second twice as fast."""
-    names = [(who, joint) for who in ("mouse1", "mouse2") for joint in ("nose", "hip", "tail", "ear")]
+    names = [
+        (who, joint) for who in ("mouse1", "mouse2") for joint in ("nose", "hip", "tail", "ear")
+    ]
     head = [
         ["scorer", *["net"] * 24],
         ["individuals", *(who for who, _ in names for _ in range(3))],
@@ -249,9 +251,11 @@ def test_individuals_of_files(tmp_path):
         stltsa.decompose(path, fps=30, individual=name).period for name in ("mouse1", "mouse2")
     ]
     assert periods == pytest.approx([1.0, 0.5], abs=0.02)
-    notes = stltsa.read_clip(path, individual="mouse2").notes
-    assert "subject 'mouse2' of 2: 'mouse1', 'mouse2'" in notes
-    with pytest.raises(stltsa.ArgumentError, match="2 subjects, 'mouse1', 'mouse2': choose one"):
+    second = stltsa.decompose(path, fps=30, individual="mouse2").to_json()
+    assert "subject 'mouse2' of 2: 'mouse1', 'mouse2'" in second
+    with pytest.raises(
+        stltsa.ArgumentError, match="'mouse1', 'mouse2': choose one with option indiv"
+    ):
         stltsa.decompose(path, fps=30)
     with pytest.raises(stltsa.ArgumentError, match="'cat', but the subjects are"):
         stltsa.read_clip(path, individual="cat")

@@ -20,7 +20,10 @@ def check(status: int) -> None:
     """Raise the exception for a status, with the library's text."""
     if status != lib.STLTSA_OK:
         name = string(lib.stltsa_status_name(status))
-        raise errors.error_for(status, name, string(lib.stltsa_last_error()))
+        text = string(lib.stltsa_last_error())
+        # Its keyword here is that of datasets.
+        text = text.replace("option subject", "option individual")
+        raise errors.error_for(status, name, text)
 
 
 def rebuilt(kind: type[Any], values: tuple[Any, ...], attributes: dict[str, Any]) -> Any:

@@ -473,16 +473,15 @@ def opened(motion: Any, options: Options) -> Any:
         used = _some(options, "fps", "least_confidence", "individual")
         return from_dataset(motion, **used)
     is_path = isinstance(motion, str | os.PathLike)
-    if options.get("individual") is not None and not (is_path or isinstance(motion, Clip)):
+    chosen = options.get("individual", "auto") not in (None, "auto")
+    if chosen and not (is_path or isinstance(motion, Clip)):
         raise wrong("X", motion, "a path or a dataset if individual= is given")
     rate = rate_given(options)
     if rate and is_points(motion):
         return Clip.from_points(motion, rate, **_some(options, "least_confidence"))
     if not is_path:
         return motion
-    return read_clip(
-        motion, **_some(options, "fps", "skeleton", "individual", "least_confidence")
-    )
+    return read_clip(motion, **_some(options, "fps", "skeleton", "individual", "least_confidence"))
 
 
 def call_on_motion(kind: str, motion: Any, groups: Any, options: Options, out: Any) -> None:

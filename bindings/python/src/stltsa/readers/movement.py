@@ -30,6 +30,8 @@ def _one(dataset: Any, individual: str | None) -> Any:
     if dimension is None:
         return dataset
     names = [str(name) for name in dataset[dimension].values]
+    if individual == "auto":
+        individual = None
     if individual is None and len(names) > 1:
         raise ValueError(f"there are {len(names)} individuals: give individual=, one of {names}")
     if individual is not None and individual not in names:
