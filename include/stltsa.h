@@ -501,7 +501,12 @@ enum {
     STLTSA_INFO_WARNING_CODE = 121,     /* int[]  STLTSA_WARNING_* of each warning */
     STLTSA_INFO_WARNING_BEGIN = 122,    /* real[] seconds in the clip at which each warning
                                                   applies; NaN: it has no time */
-    STLTSA_INFO_WARNING_END = 123       /* real[] end of that time; the begin for a moment */
+    STLTSA_INFO_WARNING_END = 123,      /* real[] end of that time; the begin for a moment */
+    /* Clips: what the file states. */
+    STLTSA_INFO_UNIT = 130,             /* text   unit of lengths, such as mm; empty: unknown */
+    STLTSA_INFO_FILE_UP_AXIS = 131      /* int    axis that points up: 1, 2, 3 for x, y, z; 0:
+                                                  unknown, so that STLTSA_INFO_UP_AXIS is found
+                                                  from the motion */
 };
 
 /* Kinds of warnings; new ones may be added. Those of a synthesis have the time of their seam. */
@@ -578,7 +583,8 @@ enum {
     STLTSA_FORMAT_MATRIX = 5, /* no file: stltsa_clip_from_matrix */
     STLTSA_FORMAT_POINTS = 6, /* no file: stltsa_clip_from_points */
     STLTSA_FORMAT_SKELETON = 7, /* no file: stltsa_clip_from_skeleton */
-    STLTSA_FORMAT_GLB = 8 /* glTF 2.0, binary: only written */
+    STLTSA_FORMAT_GLB = 8, /* glTF 2.0, binary: only written */
+    STLTSA_FORMAT_C3D = 9 /* points and events, of any processor; only read */
 };
 
 /* Reads a clip, or a stretch of it, whose name follows the path: "walk.bvh:2.5s-9s", see
@@ -694,6 +700,22 @@ STLTSA_API int64_t stltsa_clip_joints(const stltsa_clip *clip) STLTSA_NOEXCEPT;
 /* Fills a joint, whose size the caller sets. Its texts are valid as long as the clip. */
 STLTSA_API stltsa_status stltsa_clip_joint(const stltsa_clip *clip, int64_t index,
                                            stltsa_joint *joint) STLTSA_NOEXCEPT;
+
+/* Something that the file says happens, such as a foot strike in C3D. Append-only: set size to
+ * sizeof(stltsa_file_event). */
+typedef struct stltsa_file_event {
+    size_t size;
+    const char *label;   /* "Foot Strike" */
+    const char *context; /* what it happens to, such as "Left"; may be "" */
+    double frame;        /* of the clip, not rounded; may lie outside it */
+    double seconds;      /* from the first frame of the clip; 0 if the rate is unknown */
+} stltsa_file_event;
+
+/* Events of the clip, in order of time; 0 for formats that have none. */
+STLTSA_API int64_t stltsa_clip_event_count(const stltsa_clip *clip) STLTSA_NOEXCEPT;
+/* Fills an event, whose size the caller sets. Its texts are valid as long as the clip. */
+STLTSA_API stltsa_status stltsa_clip_event(const stltsa_clip *clip, int64_t index,
+                                           stltsa_file_event *event) STLTSA_NOEXCEPT;
 
 /* World positions by forward kinematics: frames x (3 * joints), x y z of joint 0, joint 1, ...
  * E_UNSUPPORTED without a skeleton. */

@@ -350,6 +350,13 @@ struct Joint {
     bool is_end_site = false;
 };
 
+/// See stltsa_file_event.
+struct FileEvent {
+    std::string label, context;
+    double frame = 0;
+    double seconds = 0; ///< 0 if the rate is unknown
+};
+
 /// See stltsa_points. Views that are empty are not used.
 struct Points {
     MatrixView positions;
@@ -457,6 +464,15 @@ class Clip {
     }
     std::vector<Joint> joints() const {
         return detail::list(joint_count(), [this](std::int64_t index) { return joint(index); });
+    }
+    /// Events that the file states, in order of time.
+    std::vector<FileEvent> events() const {
+        return detail::list(stltsa_clip_event_count(get()), [this](std::int64_t index) {
+            stltsa_file_event found{};
+            found.size = sizeof found;
+            detail::check(stltsa_clip_event(get(), index, &found));
+            return FileEvent{found.label, found.context, found.frame, found.seconds};
+        });
     }
     Matrix positions() const {
         return detail::matrix(stltsa_clip_positions, get(), frames(), 3 * joint_count());

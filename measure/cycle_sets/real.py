@@ -16,18 +16,15 @@ from .synthetic import phase_error
 WALKS = {"walk_from_standing_1.bvh": 1.114, "walk_from_standing_2.bvh": 1.210, "35_01.amc": 1.121,
          "02_03.amc": 0.770, "cmu_run_filtered.bvh": 0.771, "86_01.amc:0-500": 1.745,
          "86_01.amc:1144-2024": 1.663, "86_01.amc:2504-3150": 1.889}
-# Prints the events of a C3D file, and the answers with and without them, by the binding of a build.
+# Prints the events of a C3D file, and the answer, by the binding of a build.
 BINDING = """
 import json, sys
 sys.path.insert(0, sys.argv[1] + "/measure")
 import measuring
 stltsa = measuring.binding(sys.argv[2])
-from stltsa.readers import c3d
 clip = stltsa.read_clip(sys.argv[3])
-c3d.read_events = lambda *_: ()
 print(json.dumps({"events": [(e.context, e.label, e.seconds) for e in clip.events],
-                  "answers": [json.loads(stltsa.decompose(c).to_json())
-                              for c in (clip, stltsa.read_clip(sys.argv[3]))]}))
+                  "answers": [json.loads(stltsa.decompose(clip).to_json())]}))
 """
 
 
@@ -168,8 +165,8 @@ def steps(run):
             else:
                 found = json.loads(done.stdout)
             strikes = sorted((s, foot) for foot, s in map(heel_strike, found["events"]) if foot)
-            for what, answer in zip(("with events", "without"), found["answers"]):
-                name = f"{path.stem[:12]}, {what}"
+            for answer in found["answers"]:
+                name = path.stem[:12]
                 sides = {"L": [], "R": []}
                 for step in answer["steps"]:
                     add_step(sides, step["begin_s"], step["end_s"], strikes)

@@ -34,7 +34,8 @@ static_assert(same(clip::Format::bvh, STLTSA_FORMAT_BVH) &&
               same(clip::Format::matrix, STLTSA_FORMAT_MATRIX) &&
               same(clip::Format::points, STLTSA_FORMAT_POINTS) &&
               same(clip::Format::skeleton, STLTSA_FORMAT_SKELETON) &&
-              same(clip::Format::glb, STLTSA_FORMAT_GLB));
+              same(clip::Format::glb, STLTSA_FORMAT_GLB) &&
+              same(clip::Format::c3d, STLTSA_FORMAT_C3D));
 
 const clip::Skeleton& skeleton_of(const stltsa_clip& clip) {
     if (!clip.clip.skeleton)
@@ -247,6 +248,26 @@ stltsa_status stltsa_clip_joint(const stltsa_clip* clip, int64_t index,
         found.channels = clip->channels.empty() ? nullptr : clip->channels[at].c_str();
         found.is_end_site = joints[at].end_site ? 1 : 0;
         capi::give(found, joint, "joint", "stltsa_joint");
+    });
+}
+
+int64_t stltsa_clip_event_count(const stltsa_clip* clip) noexcept {
+    return clip == nullptr ? 0 : std::ssize(clip->clip.events);
+}
+
+stltsa_status stltsa_clip_event(const stltsa_clip* clip, int64_t index,
+                                stltsa_file_event* event) noexcept {
+    return guard([&] {
+        const clip::Clip& of = required(clip, "clip").clip;
+        if (index < 0 || index >= std::ssize(of.events))
+            fail(Status::argument, "event {}: the clip has {} events", index, of.events.size());
+        const clip::Event& at = of.events[static_cast<std::size_t>(index)];
+        stltsa_file_event found{};
+        found.label = at.label.c_str();
+        found.context = at.context.c_str();
+        found.frame = at.frame;
+        found.seconds = of.fps > 0 ? at.frame / of.fps : 0;
+        capi::give(found, event, "event", "stltsa_file_event");
     });
 }
 

@@ -174,6 +174,9 @@ constexpr InfoRow clip_rows[] = {
     one<Clip>(STLTSA_INFO_UP_AXIS, [](const Clip& c) { return default_up(c.clip); }),
     one<Clip>(STLTSA_INFO_FIRST_FRAME, [](const Clip& c) { return default_first_frame(c.clip); }),
     one<Clip>(STLTSA_INFO_BODY_ROOT, [](const Clip& c) { return default_root(c.clip); }),
+    one<Clip>(
+        STLTSA_INFO_UNIT, [](const Clip& c) -> const auto& { return c.clip.unit; }),
+    one<Clip>(STLTSA_INFO_FILE_UP_AXIS, [](const Clip& c) { return c.clip.up; }),
 };
 
 // ---- Models ----

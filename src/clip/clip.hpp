@@ -31,8 +31,12 @@ enum class Format : std::int32_t {
     matrix = 5,
     points = 6,
     skeleton = 7,
-    glb = 8
+    glb = 8,
+    c3d = 9
 };
+
+/// none: of bare numbers, which have no direction.
+enum class Axis : std::int32_t { none = 0, x = 1, y = 2, z = 3 };
 
 /// Meaning of one value of a joint.
 enum class Channel : std::int8_t { tx, ty, tz, rx, ry, rz };
@@ -56,6 +60,13 @@ struct Skeleton {
     std::string asf; ///< text of the ASF file from which it was read; empty if from elsewhere
 };
 
+/// Something that the file says happens, such as a foot strike.
+struct Event {
+    double frame = 0; ///< of the clip, not rounded; may lie outside it
+    std::string label;
+    std::string context; ///< what it happens to, such as Left; may be empty
+};
+
 /// Rates that a clip may have, in frames a second. With lower ones, times overflow.
 constexpr double lowest_fps = 1e-9, highest_fps = 1e6;
 
@@ -70,9 +81,12 @@ struct Clip {
     Matrix values;
     int space = 0; ///< without a skeleton: coordinates of each point, 2 or 3; 0: no points
     std::vector<std::string> channel_names; ///< one per column of values; may be empty for matrices
-    std::string subject;                    ///< whose points these are, if the file says so
-    std::vector<std::string> notes;         ///< what the reader assumed
-    std::vector<std::int64_t> breaks;       ///< frames that do not continue the one before
+    std::string subject;            ///< whose points these are, if the file says so
+    Axis up = Axis::none;           ///< as the file states it; none: it does not
+    std::string unit;               ///< of lengths, as the file states it; empty: it does not
+    std::vector<Event> events;      ///< in order of time
+    std::vector<std::string> notes; ///< what the reader assumed
+    std::vector<std::int64_t> breaks; ///< frames that do not continue the one before
 
     std::int64_t frames() const { return values.rows(); }
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "clip/c3d/file.hpp"
 #include "clip/text/text_cursor.hpp"
 
 namespace stltsa::clip {
@@ -13,6 +14,7 @@ Clip parse_bvh(std::string_view bytes, const std::string& name, const ReadOption
 Clip parse_amc(std::string_view bytes, const std::string& name, const ReadOptions& options);
 Clip parse_csv(std::string_view bytes, const std::string& name, const ReadOptions& options);
 Clip parse_npy(std::string_view bytes, const std::string& name, const ReadOptions& options);
+Clip parse_c3d(std::string_view bytes, const std::string& name, const ReadOptions& options);
 std::string format_bvh(const Clip& clip, const Progress& progress);
 std::string format_amc(const Clip& clip, const Progress& progress);
 std::string format_csv(const Clip& clip, const Progress& progress);
@@ -56,6 +58,7 @@ std::span<const FormatRow> formats() {
         {Format::points, "points", {}, false, false, nullptr, nullptr, nullptr},
         {Format::skeleton, "skeleton", {}, false, false, nullptr, nullptr, nullptr},
         {Format::glb, "glb", {".glb"}, false, false, nullptr, nullptr, format_glb},
+        {Format::c3d, "c3d", {".c3d"}, false, false, c3d::is_c3d, parse_c3d, nullptr},
     };
     return rows;
 }

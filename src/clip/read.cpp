@@ -17,20 +17,23 @@ void check_is_text(std::string_view bytes, const FormatRow& row, const std::stri
         fail(Status::format, "{}: not a text file, unlike {} files", name, row.name);
 }
 
-/// Files that only the Python package reads, with the extra that it needs.
+/// Files that only the Python package reads, with what reads them there.
 void refuse_format_of_others(const std::string& path) {
     struct Other {
-        std::string_view suffix, extra;
+        std::string_view suffix, how;
     };
-    constexpr Other others[] = {
-        {".c3d", "[c3d]"}, {".trc", "[trc]"}, {".mot", "[trc]"}, {".sto", "[trc]"}, {".npz", ""}};
+    constexpr std::string_view pandas = "pip install 'stltsa[trc]'", opens = "stltsa.read_clip";
+    constexpr Other others[] = {{".trc", pandas},
+                                {".mot", pandas},
+                                {".sto", pandas},
+                                {".npz", opens},
+                                {".nc", "stltsa.decompose of a dataset"}};
     const std::string suffix = std::filesystem::path(path).extension().string();
     for (const Other& other : others)
         if (equals_ignoring_case(suffix, other.suffix))
             fail(Status::format,
-                 "{}: the Python package reads {} files (pip install 'stltsa{}'); or export the "
-                 "points as CSV",
-                 path, suffix, other.extra);
+                 "{}: only the Python package reads {} files ({}); or export the points as CSV",
+                 path, suffix, other.how);
 }
 
 std::string suffixes_read() {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "clip/text/number.hpp"
 #include "clip/text/text_cursor.hpp"
@@ -132,6 +133,7 @@ Clip cut(const Clip& clip, const std::vector<Frames>& stretches) {
         rows += stretch.count();
     result.values = Matrix::unset(rows, clip.values.cols());
     result.breaks.clear();
+    result.events.clear();
     std::int64_t at = 0;
     std::string text;
     for (const Frames& stretch : stretches) {
@@ -140,6 +142,12 @@ Clip cut(const Clip& clip, const std::vector<Frames>& stretches) {
         for (const std::int64_t frame : clip.breaks)
             if (frame > stretch.begin && frame < stretch.end)
                 result.breaks.push_back(at + frame - stretch.begin);
+        for (Event event : clip.events)
+            if (event.frame >= static_cast<double>(stretch.begin) &&
+                event.frame < static_cast<double>(stretch.end)) {
+                event.frame += static_cast<double>(at - stretch.begin);
+                result.events.push_back(std::move(event));
+            }
         std::copy_n(clip.values.row(stretch.begin), stretch.count() * clip.values.cols(),
                     result.values.row(at));
         at += stretch.count();

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Clips through the C API: reading, and their contents. */
+#include "../small_c3d.h"
 #include "support.h"
 
 /* A thigh and a shank of lengths 4 and 3 that hang from the hip. Frame 1 turns the thigh by 90
@@ -19,6 +20,28 @@ static stltsa_clip* parsed(const char* text, int32_t format) {
     stltsa_clip* clip = NULL;
     must(stltsa_clip_parse(text, strlen(text), format, NULL, NULL, &clip));
     return clip;
+}
+
+static void a_c3d_has_events(void** state) {
+    (void)state;
+    unsigned char bytes[small_c3d_size];
+    make_small_c3d(bytes);
+    stltsa_clip* clip = NULL;
+    must(stltsa_clip_parse(bytes, sizeof bytes, 0, NULL, NULL, &clip));
+    assert_int_equal(stltsa_clip_format(clip), STLTSA_FORMAT_C3D);
+    assert_int_equal(stltsa_clip_frames(clip), 32);
+    assert_int_equal(stltsa_clip_event_count(clip), 1);
+    stltsa_file_event event = {.size = sizeof event};
+    must(stltsa_clip_event(clip, 0, &event));
+    assert_string_equal(event.label, "RHS");
+    assert_string_equal(event.context, "");
+    assert_true(event.frame == 12.5 && event.seconds == 0.125);
+    assert_int_equal(stltsa_clip_event(clip, 1, &event), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_clip_event(clip, -1, &event), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_clip_event(clip, 0, NULL), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_clip_event(NULL, 0, &event), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_clip_event_count(NULL), 0);
+    stltsa_clip_free(clip);
 }
 
 static void a_bvh_says_what_it_is(void** state) {
@@ -181,6 +204,7 @@ static void json_escapes_what_a_file_may_hold(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_c3d_has_events),
         cmocka_unit_test(a_bvh_says_what_it_is),
         cmocka_unit_test(positions_and_rotations),
         cmocka_unit_test(features_leave_out_place_and_heading),

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <span>
 #include <string>
 
 #include <unistd.h>
@@ -11,6 +12,7 @@
 #include <stltsa.hpp>
 
 #include "../rooms/assertions.hpp"
+#include "../small_c3d.h"
 
 namespace {
 
@@ -176,6 +178,17 @@ void clips_are_made_of_arrays_and_cut(void**) {
     }
 }
 
+void a_clip_has_the_events_of_its_file(void**) {
+    unsigned char bytes[small_c3d_size];
+    make_small_c3d(bytes);
+    const Clip clip = Clip::parse(std::as_bytes(std::span(bytes)));
+    const std::vector<stltsa::FileEvent> events = clip.events();
+    assert_int_equal(events.size(), 1);
+    assert_string_equal(events[0].label.c_str(), "RHS");
+    assert_true(events[0].context.empty() && events[0].frame == 12.5);
+    assert_true(walker().events().empty());
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -189,6 +202,7 @@ int main(int argc, char** argv) {
         cmocka_unit_test(the_mirror_image_has_the_other_sides),
         cmocka_unit_test(cycles_become_a_loop),
         cmocka_unit_test(clips_are_made_of_arrays_and_cut),
+        cmocka_unit_test(a_clip_has_the_events_of_its_file),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

@@ -8,7 +8,7 @@ from ctypes import byref, c_char_p, c_double, c_int32, c_int64, c_void_p, sizeof
 from math import isnan
 
 from library import (
-    Handle, Interval, Joint, Out, Part, Seam, Segment, Statistics, Summary, Travel, call, value)
+    FileEvent, Handle, Interval, Joint, Out, Part, Seam, Segment, Statistics, Summary, Travel, call, value)
 
 
 class Missing:
@@ -93,6 +93,17 @@ def joints(field):
             call("clip_joint", h.pointer, c_int64(joint), byref(found))
             yield {"name": found.name.decode(), "parent": chosen(found.parent),
                    "end_site": bool(found.is_end_site)}[field]
+
+    return lambda h: list(of(h))
+
+
+def file_events(field):
+    def of(h):
+        for index in range(value("clip_event_count", c_int64, h.pointer)):
+            found = FileEvent(size=sizeof(FileEvent))
+            call("clip_event", h.pointer, c_int64(index), byref(found))
+            told = getattr(found, field)
+            yield told.decode() if isinstance(told, bytes) else told
 
     return lambda h: list(of(h))
 
@@ -336,6 +347,9 @@ def made(h):
 FACTS = {
     "clip": {
         **below("clip", CLIP),
+        "clip.unit": lambda h: text(h["unit"]),
+        "clip.up_axis": lambda h: h.choice("file_up_axis"),
+        **{f"clip.events.{f}": file_events(f) for f in ("frame", "seconds", "label", "context")},
         "channels.count": channels,
         "channels.names": lambda h: h.list("channel"),
         **{f"joints.{f}": joints(f) for f in ("name", "parent", "end_site")},

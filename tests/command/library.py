@@ -27,6 +27,11 @@ class Joint(ctypes.Structure):
                 ("reserved", c_int32)]
 
 
+class FileEvent(ctypes.Structure):
+    _fields_ = [("size", c_size_t), ("label", c_char_p), ("context", c_char_p), ("frame", c_double),
+                ("seconds", c_double)]
+
+
 class Segment(ctypes.Structure):
     _fields_ = [("begin", c_int64), ("end", c_int64), ("begin_s", c_double), ("end_s", c_double),
                 ("count", c_int64), ("likeness", c_double), ("period_s", c_double),

@@ -8,17 +8,10 @@ import os
 import random
 import re
 import shutil
-import struct
 import unittest
 
+from c3d_file import c3d
 from common import CommandTest, plain_environment, run, two_motions, walk
-
-READER = """#!/bin/sh
-case $3 in
-*.c3d) cat ARRAYS ;;
-*) printf '%s: has no points' "$3"; exit 3 ;;
-esac
-"""
 
 
 ASF = """:version 1.10
@@ -385,45 +378,29 @@ class Skeletons(CommandTest):
         self.assertEqual(self.batch(*option), (0, ["STLTSA_E_IO"] * 2))
 
 
-class PythonReaders(CommandTest):
-    """Files that the Python package reads for the command."""
+class OtherFormats(CommandTest):
+    """C3D files, and those that only the Python package reads."""
 
     def setUp(self):
         super().setUp()
         (self.folder / "clips").mkdir()
-        shutil.copy(walk(), self.folder / "clips" / "walk.bvh")
-        for name in ("a.c3d", "b.TRC"):
-            (self.folder / "clips" / name).write_text(name)
-        reader = self.folder / "python3"
         turns = [2 * math.pi * i / 100 for i in range(800)]
-        values = b"".join(struct.pack("3d", *(math.sin(t + k) for k in range(3))) for t in turns)
-        (self.folder / "arrays").write_bytes(b"matrix 0 0 3 800 100.0\n" + values)
-        reader.write_text(READER.replace("ARRAYS", str(self.folder / "arrays")))
-        reader.chmod(0o755)
-        self.reader = str(reader)
+        rows = [[math.sin(t + k) for k in range(9)] for t in turns]
+        (self.folder / "clips" / "a.c3d").write_bytes(c3d(rows, ("hip", "knee", "toe")))
+        for name in ("b.npz", "c.NC"):
+            (self.folder / "clips" / name).write_text(name)
 
-    def test_they_are_clips(self):
-        line = ("batch", "clips", "--out", "out", "--jobs", "3", "--json")
-        environment = plain_environment(STLTSA_PYTHON=self.reader)
-        result = run(*line, cwd=self.folder, env=environment)
-        self.assertEqual(result.returncode, 5, result.stderr)
-        told = json.loads(result.stdout)
-        self.assertEqual((told["clips"], told["failed"]), (3, 1))
+    def test_c3d_files_are_clips_and_the_others_are_mentioned(self):
+        result = run("batch", "clips", "--out", "out", cwd=self.folder)
+        self.assertEqual(result.returncode, 0, result.stderr)
         with (self.folder / "out" / "summary.csv").open(newline="") as file:
             rows = {row["path"]: row for row in csv.DictReader(file)}
+        self.assertEqual(list(rows), ["clips/a.c3d"])
         self.assertIn(int(rows["clips/a.c3d"]["cycles"]), (7, 8))
-        self.assertEqual(rows["clips/b.TRC"]["status"], "STLTSA_E_FORMAT")
-        self.assertIn("has no points", rows["clips/b.TRC"]["error"])
-        again = run(*line, cwd=self.folder, env=environment)
-        self.assertEqual(json.loads(again.stdout)["kept"], 2)
-
-    def test_without_the_package_they_are_mentioned(self):
-        line = ("batch", "clips", "--out", "out")
-        result = run(*line, cwd=self.folder)
-        self.assertEqual(result.returncode, 0)
-        self.assertIn(b"warning: 2 files left out, such as C3D", result.stderr)
-        (self.folder / "clips" / "walk.bvh").unlink()
-        self.assertIn("2 files left out", self.fails(2, *line, cwd=self.folder))
+        self.assertIn(b"warning: 2 files left out, of formats that only the Python", result.stderr)
+        (self.folder / "clips" / "a.c3d").unlink()
+        self.assertIn("2 files left out", self.fails(2, "batch", "clips", "--out", "out",
+                                                     cwd=self.folder))  # fmt: skip
 
 
 if __name__ == "__main__":

@@ -127,7 +127,7 @@ class Events(CommandTest):
         self.assertIn("no labels for the clip", self.fails(3, "events", walk(), "--mark", path))
         absent = self.folder / "absent.tsv"
         self.assertIn("cannot read", self.fails(3, "events", walk(), "--mark", absent))
-        self.assertIn("pip install", self.fails(3, "events", walk(), "--mark", "walk.c3d"))
+        self.assertIn("cannot open", self.fails(3, "events", walk(), "--mark", "walk.c3d"))
         (self.folder / "tables.csv").mkdir()
         self.assertIn("a folder",
                       self.fails(3, "events", walk(), "--mark", self.folder / "tables.csv"))

@@ -16,7 +16,8 @@ import re
 import unittest
 from ctypes import byref, c_char_p, c_double, c_int64, c_void_p
 
-from common import SCHEMAS, bursts, circle, cut, still, walk, write_csv
+from c3d_file import c3d
+from common import CLIPS, SCHEMAS, bursts, circle, cut, still, walk, write_csv
 from fact_functions import FACTS, Missing, in_seconds
 from library import KEYS, Handle, Interval, Piece, call, value
 
@@ -84,8 +85,13 @@ class Facts(unittest.TestCase):
         cycles = [(i.begin, i.end) for i in units.rows("cycle", Interval())]
         pieces = (Piece * 2)(*(Piece(clip.pointer, begin, end, 2, 0) for begin, end in cycles[:2]))
         short = Piece(clip.pointer, cycles[0][0], cycles[0][1] - 20, 2, 0)
+        recorded = CLIPS / "recorded.c3d"
+        recorded.write_bytes(c3d([[math.sin(i + c) for c in range(9)] for i in range(50)],
+                                 ("HEAD", "LTOE", "RTOE"), parameters={
+            "POINT": {"UNITS": ["mm"], "Y_SCREEN": ["+Z"]},
+            "EVENT": {"LABELS": ["Strike"], "CONTEXTS": ["Left"], "TIMES": [0.0, 0.2]}}))  # fmt: skip
         return [
-            clip, noted, parted, recurrent_, of_notes, units,
+            clip, self.opened(recorded), noted, parted, recurrent_, of_notes, units,
             self.handle("decomposition", "decompose", noted.pointer, none),
             self.handle("decomposition", "decompose", mixed.pointer, none),
             self.handle("decomposition", "decompose",

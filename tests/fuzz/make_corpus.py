@@ -13,6 +13,9 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "command"))
+from c3d_file import c3d  # noqa: E402
+
 CORPUS = pathlib.Path(__file__).parent / "corpus"
 
 
@@ -126,6 +129,16 @@ def main():
     put("npy", "rows", npy(rows, "(60, 6)"))
     put("npy", "points", npy(rows, "(60, 2, 3)", "<f4"))
     put("npy", "fortran", npy(rows, "(60, 6)", ">f8", "True"))
+    few = angles(20, 9)
+    events = {"LABELS": ["Foot Strike", "Foot Off"], "CONTEXTS": ["Left", "Right"],
+              "TIMES": [0.0, 0.1, 0.0, 0.2]}  # fmt: skip
+    point = {"Y_SCREEN": ["+Z"], "UNITS": ["mm"], "RATE": [30.0], "LABELS2": ["TOE"]}
+    put("c3d", "points", c3d(few, ("HIP", "KNEE", "TOE"), 30, missing={(3, 1)},
+                             parameters={"EVENT": events, "POINT": point}))  # fmt: skip
+    put("c3d", "mips", c3d(few, ("HIP", "KneeAngles"), order=">", first=704, analog=3,
+                           parameters={"ANALOG": {"USED": [3], "LABELS": ["Fx"]}}))  # fmt: skip
+    put("c3d", "refused-analog", c3d([[]] * 4, (), analog=2, parameters={"ANALOG": {"USED": [2]}}))
+    put("c3d", "refused-cut", c3d(few, ("HIP",))[:1400])
     with tempfile.TemporaryDirectory() as folder:
         clip = pathlib.Path(folder) / "walk.bvh"
         clip.write_text(bvh(90))

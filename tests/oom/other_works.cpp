@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../small_c3d.h"
 #include "calls.hpp"
 #include "works.hpp"
 
@@ -145,6 +146,20 @@ stltsa_status describe_clips(const std::string&) {
     stltsa_joint joint{};
     joint.size = sizeof joint;
     calls.make([&] { return stltsa_clip_joint(body, 1, &joint); });
+    unsigned char c3d[small_c3d_size];
+    make_small_c3d(c3d);
+    stltsa_clip* recording = nullptr;
+    calls.make(
+        [&] {
+            return stltsa_clip_parse(c3d, sizeof c3d, STLTSA_FORMAT_C3D, nullptr, nullptr,
+                                     &recording);
+        },
+        recording);
+    stltsa_file_event event{};
+    event.size = sizeof event;
+    if (stltsa_clip_event_count(recording) == 1)
+        calls.make([&] { return stltsa_clip_event(recording, 0, &event); });
+    stltsa_clip_free(recording);
     const bool same = stltsa_clip_channels(body) == 5 && stltsa_clip_fps(body) == 30 &&
                       stltsa_clip_format(body) == STLTSA_FORMAT_SKELETON;
     return same ? calls.status() : 1;

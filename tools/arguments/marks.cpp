@@ -75,6 +75,27 @@ std::string cell_of(const Row& row, std::optional<std::size_t> column,
                                           : otherwise;
 }
 
+/// Labels that are in seconds, from the start of the recording.
+void check_times(const std::string& path, const std::string& clip, double fps) {
+    if (file_of(clip) != clip)
+        throw Failure(
+            Exit::usage,
+            fmt::format("--mark {}: its seconds count from the start of the recording, but "
+                        "{} is a stretch of it: give the whole clip, or a table with a "
+                        "column clip",
+                        path, clip));
+    if (!(fps > 0))
+        throw Failure(Exit::usage, fmt::format("--mark {}: labels are in seconds, but the frame "
+                                               "rate is unknown: give --fps",
+                                               path));
+}
+
+Marks not_empty(Marks labels, const std::string& path, const std::string& clip) {
+    if (labels.empty())
+        throw Failure(Exit::unreadable, fmt::format("{}: no labels for the clip {}", path, clip));
+    return labels;
+}
+
 } // namespace
 
 bool is_label_file(const std::string& mark) {
@@ -99,17 +120,7 @@ Marks labels_in(const std::string& table, const std::string& path, const std::st
                                   "seconds (onset, seconds or Time) and a column of names "
                                   "(trial_type, name or Behavior)",
                                   path));
-    if (!file && file_of(clip) != clip)
-        throw Failure(
-            Exit::usage,
-            fmt::format("--mark {}: its seconds count from the start of the recording, but "
-                        "{} is a stretch of it: give the whole clip, or a table with a "
-                        "column clip",
-                        path, clip));
-    if (!(fps > 0))
-        throw Failure(Exit::usage, fmt::format("--mark {}: labels are in seconds, but the frame "
-                                               "rate is unknown: give --fps",
-                                               path));
+    check_times(path, file ? file_of(clip) : clip, fps);
     Marks labels;
     while (!rest.empty()) {
         const Row row = next_row(rest, separator);
@@ -119,9 +130,17 @@ Marks labels_in(const std::string& table, const std::string& path, const std::st
         if (const auto seconds = finite_in(cell_of(row, time, "")); seconds && !label.empty())
             labels[label].push_back(*seconds * fps);
     }
-    if (labels.empty())
-        throw Failure(Exit::unreadable, fmt::format("{}: no labels for the clip {}", path, clip));
-    return labels;
+    return not_empty(std::move(labels), path, clip);
+}
+
+Marks labels_in(const std::vector<stltsa::FileEvent>& events, const std::string& path,
+                const std::string& clip, double fps) {
+    check_times(path, clip, fps);
+    Marks labels;
+    for (const stltsa::FileEvent& event : events)
+        labels[event.context.empty() ? event.label : event.context + ' ' + event.label].push_back(
+            event.seconds * fps);
+    return not_empty(std::move(labels), path, clip);
 }
 
 Marks parse_marks(const std::vector<std::string>& given, double fps) {

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <stltsa.hpp>
+
 namespace tool {
 
 /// Frames by name.
@@ -22,5 +24,9 @@ bool is_label_file(const std::string& mark);
 /// Failure with Exit::unreadable if it is not such a table. `path`: for messages.
 Marks labels_in(const std::string& table, const std::string& path, const std::string& clip,
                 double fps);
+
+/// The same of the events of a C3D file, named by context and label: "Left Foot Strike".
+Marks labels_in(const std::vector<stltsa::FileEvent>& events, const std::string& path,
+                const std::string& clip, double fps);
 
 } // namespace tool

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <map>
 #include <set>
+#include <span>
 #include <string_view>
 #include <system_error>
 
@@ -15,7 +16,6 @@
 #include <zlib.h>
 
 #include "arguments/pieces.hpp"
-#include "commands/foreign.hpp"
 #include "exit_status.hpp"
 #include "terminal/text.hpp"
 
@@ -24,9 +24,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* suffixes[] = {".bvh", ".amc", ".csv", ".tsv", ".npy"};
+constexpr const char* readable[] = {".bvh", ".amc", ".csv", ".tsv", ".npy", ".c3d"};
+/// Formats that only the Python package reads.
+constexpr const char* foreign[] = {".npz", ".nc", ".trc", ".mot", ".sto"};
 
-bool is_readable(const std::string& path) {
+bool ends_in_one(const std::string& path, std::span<const char* const> suffixes) {
     return std::ranges::any_of(suffixes, [&](const char* suffix) { return ends_in(path, suffix); });
 }
 
@@ -93,9 +95,9 @@ class Search {
     }
 
     void file(const std::string& path) {
-        if (is_readable(path) || (is_foreign(path) && has_python()))
+        if (ends_in_one(path, readable))
             found_.clips.push_back({path, result_name(path)});
-        else if (is_foreign(path))
+        else if (ends_in_one(path, foreign))
             ++found_.foreign;
     }
 
@@ -167,17 +169,15 @@ Found find_clips(const std::vector<std::string>& paths, const std::string& out) 
                                                    other->second, clip.path, clip.result));
     if (clips.empty())
         throw Failure(Exit::usage,
-                      fmt::format("there are no .bvh, .amc, .csv, .tsv or .npy files{}{}",
+                      fmt::format("there are no .bvh, .amc, .csv, .tsv, .npy or .c3d files{}{}",
                                   found.foreign > 0 ? "; " : "",
                                   found.foreign > 0 ? left_out(found.foreign) : ""));
     return found;
 }
 
 std::string left_out(std::size_t foreign) {
-    return fmt::format(
-        "{} left out, such as C3D, which the command reads only if it comes with the "
-        "Python package: pip install stltsa",
-        counted(static_cast<std::int64_t>(foreign), "file"));
+    return fmt::format("{} left out, of formats that only the Python package reads, such as AMASS",
+                       counted(static_cast<std::int64_t>(foreign), "file"));
 }
 
 Shard parse_shard(const std::string& text) {

@@ -18,7 +18,6 @@
 #include "batch/result.hpp"
 #include "batch/summary.hpp"
 #include "commands/commands.hpp"
-#include "commands/foreign.hpp"
 #include "commands/session.hpp"
 #include "reports/json.hpp"
 #include "reports/table.hpp"
@@ -80,7 +79,7 @@ class Work {
         } catch (const stltsa::Error& error) {
             stop_if_interrupted();
             return batch::failed_row(clip.path, error.name(), with_flags(error.what()));
-        } catch (const Failure& failure) { // of the Python package, or of a length in seconds
+        } catch (const Failure& failure) { // of a length in seconds
             stop_if_interrupted();
             return batch::failed_row(clip.path, stltsa::status_name(status_of(failure)),
                                      failure.what());
@@ -131,16 +130,9 @@ class Work {
         options.set(STLTSA_OPT_THREADS, std::int64_t{1}); // the jobs are threads
         options.set_progress([](std::int32_t, double) { return interrupted(); });
         set_options(options, arguments_.options);
-        const stltsa::Clip clip = open(path.path, options);
+        const stltsa::Clip clip = stltsa::Clip::open(path.path, options);
         set_lengths(options, arguments_.options, working_rate(clip, options));
         return stltsa::decompose(clip, options).json();
-    }
-
-    stltsa::Clip open(const std::string& path, const stltsa::Options& options) const {
-        const auto fps = arguments_.options.find(STLTSA_OPT_FPS);
-        const auto arrays =
-            read_by_python(path, fps == arguments_.options.end() ? "" : fps->second);
-        return arrays ? clip_of(*arrays, path, options) : stltsa::Clip::open(path, options);
     }
 
     static void write(const std::string& place, const std::string& text) {

@@ -16,7 +16,6 @@
 #include "arguments/pieces.hpp"
 #include "base/side_name.hpp"
 #include "commands/commands.hpp"
-#include "commands/foreign.hpp"
 #include "commands/session.hpp"
 #include "reports/events.hpp"
 #include "terminal/text.hpp"
@@ -155,15 +154,16 @@ std::string text_of(const std::string& path) {
     return text;
 }
 
-/// The labels of a file. Those of the clip's own C3D file count from the start of the stretch.
-Marks labels_of(const std::string& path, const Arguments& arguments, double fps) {
-    const std::string& clip = arguments.input;
+/// The labels of a table, or the events of a C3D file: those of the clip itself, if it is read from
+/// there.
+Marks labels_of(const std::string& path, const Session& session) {
+    const std::string& input = session.arguments().input;
+    const double fps = session.clip().fps();
     if (!ends_in(path, ".c3d"))
-        return labels_in(text_of(path), path, clip, fps);
-    const auto typed = arguments.options.find(STLTSA_OPT_FPS);
-    const std::string rate = typed == arguments.options.end() ? "" : typed->second;
-    const bool own = path == file_of(clip);
-    return labels_in(events_by_python(own ? clip : path, rate), path, own ? path : clip, fps);
+        return labels_in(text_of(path), path, input, fps);
+    if (path == file_of(input))
+        return labels_in(session.clip().events(), path, path, fps);
+    return labels_in(session.open_clip(path).events(), path, input, fps);
 }
 
 } // namespace
@@ -177,7 +177,7 @@ Exit run_events(const Arguments& arguments) {
     Marks marks = parse_marks(typed, clip.fps());
     std::vector<std::pair<std::string, Marks>> labels;
     for (const std::string& file : files)
-        labels.emplace_back(file, labels_of(file, arguments, clip.fps()));
+        labels.emplace_back(file, labels_of(file, session));
     const Analyzed from = analyzed(session, arguments.input, clip);
     EventTable table;
     for (const auto& [file, of_file] : labels)

@@ -130,8 +130,6 @@ const stltsa::Clip& Session::open_input() {
 stltsa::Clip Session::open_clip(const std::string& path) const {
     if (is_standard_input(path))
         return parse_stdin(path.substr(std::min<std::size_t>(path.size(), 2))); // after "-:"
-    if (const auto arrays = read_by_python(path, option_text(STLTSA_OPT_FPS)))
-        return reading([&] { return clip_of(*arrays, path, options()); });
     return reading([&] { return stltsa::Clip::open(path, options()); });
 }
 
@@ -142,11 +140,6 @@ stltsa::Clip Session::parse_stdin(const std::string& what) const {
             stltsa::Clip::parse(std::as_bytes(std::span(standard_input())), 0, options());
         return what.empty() ? std::move(clip) : clip.stretch(what, options());
     });
-}
-
-std::string Session::option_text(std::int32_t key) const {
-    const auto given = arguments_.options.find(key);
-    return given == arguments_.options.end() ? "" : given->second;
 }
 
 stltsa::Model Session::open_model(const std::string& path) const {

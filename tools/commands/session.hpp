@@ -9,7 +9,6 @@
 #include <stltsa.hpp>
 
 #include "arguments/arguments.hpp"
-#include "commands/foreign.hpp"
 #include "terminal/output.hpp"
 #include "terminal/progress_bar.hpp"
 
@@ -71,8 +70,6 @@ class Session {
     void finish(const Answer& answer);
 
   private:
-    /// The text of an option as the user gave it; empty: not given.
-    std::string option_text(std::int32_t key) const;
     stltsa::Clip parse_stdin(const std::string& what) const;
     void add_skeleton(const std::string& temporary, const std::string& amc);
     /// Where the JSON or the table goes; empty: nowhere.

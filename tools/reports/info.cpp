@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cctype>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -28,9 +29,12 @@ std::string sentence(const stltsa::Clip& clip, const std::string& title) {
                        clip.fps(), static_cast<double>(clip.frames()) / clip.fps());
 }
 
-std::string joints_text(const std::vector<stltsa::Joint>& joints) {
+std::string joints_text(const stltsa::Clip& clip) {
+    const std::vector<stltsa::Joint> joints = clip.joints();
     if (joints.empty())
-        return "none: the file is a plain matrix";
+        return clip.info().integer(STLTSA_INFO_FEATURES) == STLTSA_FEATURES_POINTS
+                   ? "none: the file has points"
+                   : "none: the file is a plain matrix";
     return fmt::format(
         "{} (with {})", joints.size(),
         counted(std::ranges::count_if(joints, &stltsa::Joint::is_end_site), "end site"));
@@ -43,12 +47,20 @@ std::string info_report(const stltsa::Clip& clip, const std::string& title) {
     Facts lines;
     if (const std::string path = info.text(STLTSA_INFO_PATH); !path.empty())
         lines.add("path", one_line(path));
-    lines.add("joints", joints_text(clip.joints()));
+    lines.add("joints", joints_text(clip));
     lines.add("channels", std::to_string(clip.channels()));
     lines.add("features", fmt::format("{}, {}", named(info, STLTSA_INFO_FEATURES),
                                       counted(clip.feature_count(), "column")));
     if (info.integer(STLTSA_INFO_UP_AXIS) > 0)
         lines.add("up axis", named(info, STLTSA_INFO_UP_AXIS));
+    if (const std::string unit = info.text(STLTSA_INFO_UNIT); !unit.empty())
+        lines.add("unit", one_line(unit));
+    std::map<std::string, std::int64_t> events;
+    for (const stltsa::FileEvent& event : clip.events())
+        ++events[event.context.empty() ? event.label : event.context + ' ' + event.label];
+    for (const auto& [name, count] : events)
+        lines.add(name == events.begin()->first ? "events" : "",
+                  fmt::format("{} of {}", count, one_line(name)));
     if (const std::int64_t tpose = info.integer(STLTSA_INFO_FIRST_FRAME); tpose > 0)
         lines.add("T-pose",
                   counted(tpose, "frame") + " at the start, dropped by the other commands");

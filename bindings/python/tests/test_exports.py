@@ -4,7 +4,6 @@
 import csv
 import json
 import subprocess
-import sys
 
 import numpy as np
 import pytest
@@ -129,26 +128,38 @@ def test_found_events_in_c3d_have_contexts(tmp_path):
     assert strikes == pytest.approx(expected, abs=1e-4)
 
 
-def test_the_command_asks_for_events(tmp_path):
-    strike = (0, 2.5, "Left", "Foot Strike")
-    source = write_c3d(tmp_path / "walk.c3d", walk(), first=200, events=[strike])
-    line = [sys.executable, "-m", "stltsa.readers", "--events"]
-    done = subprocess.run([*line, source], check=True, capture_output=True, text=True)
-    head, row = done.stdout.splitlines()
-    assert head == "onset\ttrial_type"
-    seconds, name = row.split("\t")
-    assert float(seconds) == pytest.approx(0.5, abs=1e-4)
-    assert name == "Left Foot Strike"
-    for part, rate, expected in (
-        (":0.2s-3s", "", 0.3),
-        ("", 2 * stltsa.read_clip(source).fps, 0.25),
-    ):
-        asked = [*line, f"{source}{part}", str(rate)]
-        done = subprocess.run(asked, check=True, capture_output=True, text=True)
-        assert float(done.stdout.split()[2]) == pytest.approx(expected, abs=1e-2)
-    refused = subprocess.run([*line, "walk.trc"], capture_output=True, text=True, check=False)
-    assert refused.returncode == 3
-    assert "only C3D files" in refused.stdout
+def test_a_stretch_as_c3d_keeps_its_events_unit_and_axis(tmp_path):
+    ezc3d = pytest.importorskip("ezc3d")
+    values = np.concatenate([walk(), walk()[:, :4] + 1000], axis=1)
+    values[150:160, 2] = np.nan
+    events = [(0, 2.5, "Left", "Foot Strike"), (0, 3.5, "", "Start"), (0, 5.5, "", "Later")]
+    names = [f"m{i}" for i in range(9)]
+    source = write_c3d(tmp_path / "walk.c3d", values, first=200, events=events, names=names)
+    file = ezc3d.c3d(str(source))
+    file.add_parameter("POINT", "Y_SCREEN", ["+Z"])
+    file["parameters"]["POINT"]["UNITS"]["value"] = ["mm"]
+    file.write(str(source))
+    part = stltsa.read_clip(f"{source}:0.2s-2s")
+    part.save(tmp_path / "part.c3d")
+    again = stltsa.read_clip(tmp_path / "part.c3d")
+    assert (len(again), again.fps) == (180, 100)
+    for name in ("channel", "unit", "file_up_axis"):
+        assert again.facts[name] == part.facts[name]
+    assert (again.facts["unit"], again.facts["up_axis"]) == ("mm", "z")
+    assert [e[:2] for e in again.events] == [("Foot Strike", "Left"), ("Start", "")]
+    assert [e.seconds for e in again.events] == pytest.approx([0.3, 1.3], abs=1e-4)
+    for clip in (part, again):
+        clip.save(tmp_path / f"{len(list(tmp_path.iterdir()))}.npy")
+    one, two = (np.load(path) for path in sorted(tmp_path.glob("*.npy")))
+    np.testing.assert_array_equal(one, two)
+
+
+def test_clips_that_c3d_cannot_hold(clip, tmp_path):
+    plane = stltsa.Clip.from_points(walk()[:, :, :2], 100)
+    for wrong in (clip, stltsa.Clip.from_array(walk()[:, 0], 100), plane):
+        with pytest.raises(stltsa.UnsupportedError, match="holds points in space"):
+            wrong.save(tmp_path / "walk.c3d")
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_events_in_c3d_without_contexts(tmp_path):

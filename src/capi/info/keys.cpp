@@ -20,7 +20,7 @@ constexpr stltsa_info_key text(int32_t key, const char* name, const char* text) 
 constexpr stltsa_info_key rows[] = {
     text(STLTSA_INFO_PATH, "path", "Path of the clip as given; empty: from memory."),
     whole(STLTSA_INFO_FORMAT, "format", "STLTSA_FORMAT_* of the clip.",
-          "bvh=1 amc=2 csv=3 npy=4 matrix=5"),
+          "bvh=1 amc=2 csv=3 npy=4 matrix=5 points=6 skeleton=7 glb=8 c3d=9"),
     whole(STLTSA_INFO_CLIP_FRAMES, "clip_frames", "Frames of the clip."),
     real(STLTSA_INFO_CLIP_FPS, "clip_fps", "Frames a second of the clip; 0: unknown."),
     text(STLTSA_INFO_NOTE, "note", "What was assumed of the clip, and removed from it."),
@@ -147,6 +147,10 @@ constexpr stltsa_info_key rows[] = {
     real(STLTSA_INFO_WARNING_BEGIN, "warning_begin",
          "Seconds in the clip at which each warning applies; NaN: it has no time."),
     real(STLTSA_INFO_WARNING_END, "warning_end", "End of that time; the begin for a moment."),
+    text(STLTSA_INFO_UNIT, "unit", "Unit of lengths, as the file states it; empty: unknown."),
+    whole(STLTSA_INFO_FILE_UP_AXIS, "file_up_axis",
+          "Axis that points up, as the file states it: 1, 2, 3 for x, y, z; 0: unknown.",
+          "none=0 x=1 y=2 z=3"),
 };
 
 } // namespace

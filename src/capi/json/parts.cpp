@@ -74,7 +74,7 @@ Json json_axis(clip::Axis axis) {
     fail(Status::internal, "the unknown axis {}", static_cast<int>(axis));
 }
 
-Json json_clip(const ClipFacts& clip, clip::Features features, std::int64_t dropped) {
+JsonObject json_clip(const ClipFacts& clip, clip::Features features, std::int64_t dropped) {
     const bool timed = clip.fps > 0;
     return JsonObject("path", json_string_or_null(clip.path), "format", json_name(clip.format),
                       "frames", clip.frames, "fps", json_positive_or_null(clip.fps), "duration_s",

@@ -28,7 +28,7 @@ const char* json_name(ltsa::Mode mode);
 Json json_axis(clip::Axis axis);
 
 /// `dropped`: frames of a T-pose left out at the start.
-Json json_clip(const ClipFacts& clip, clip::Features features, std::int64_t dropped);
+JsonObject json_clip(const ClipFacts& clip, clip::Features features, std::int64_t dropped);
 /// null for a matrix and for several clips.
 Json json_clip(const Source& source);
 JsonObject json_samples(const SampleFacts& samples);

@@ -164,6 +164,15 @@ Clip mirrored_points(const Clip& clip, std::size_t axis, std::int64_t columns) {
     return made;
 }
 
+/// The name on the other side; the same if it states no side.
+std::string other_side(const std::string& name) {
+    const Side side = side_of_name(name);
+    for (const OtherSide& other : other_sides(name, false))
+        if (side != Side::neither && other.side == side)
+            return other.name;
+    return name;
+}
+
 } // namespace
 
 Clip mirrored(const Clip& clip, std::optional<Axis> up) {
@@ -180,6 +189,10 @@ Clip mirrored(const Clip& clip, std::optional<Axis> up) {
         points ? mirrored_points(clip, columns == 2 ? 0 : static_cast<std::size_t>(upright) % 3,
                                  columns)
                : mirrored_body(clip, level_axes(*clip.skeleton, body_root(clip), upright).lateral);
+    for (Event& event : made.events) {
+        event.label = other_side(event.label);
+        event.context = other_side(event.context);
+    }
     made.notes.emplace_back("mirror image: left and right are exchanged");
     return made;
 }

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
 #include <optional>
 
 #include "clip/clip.hpp"
 
 namespace stltsa::clip {
-
-/// none: of bare numbers, which have no direction.
-enum class Axis : std::int32_t { none = 0, x = 1, y = 2, z = 3 };
 
 /// The up axis used: the requested one; y for AMC; else the axis nearest to the direction from the
 /// feet to the head (joints by name), or, without these names, that of the body's largest extent.

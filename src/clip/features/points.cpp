@@ -184,6 +184,8 @@ int point_columns(const Clip& clip) {
 Axis points_up(const Clip& clip) {
     if (point_columns(clip) != 3)
         return Axis::z;
+    if (clip.up != Axis::none)
+        return clip.up;
     Matrix filled = copied(clip.values.view());
     const Gaps gaps = fill_gaps(filled, 3, GapRule::fill, clip.fps);
     if (std::ssize(gaps.seen) < least_points)
@@ -191,8 +193,9 @@ Axis points_up(const Clip& clip) {
     return guessed_up(filled, gaps.seen, means(filled, gaps.seen));
 }
 
-FeatureRows points(const Clip& clip, std::optional<Axis> up, GapRule rule,
+FeatureRows points(const Clip& clip, std::optional<Axis> requested, GapRule rule,
                    const std::function<void()>& poll) {
+    const auto up = requested || clip.up == Axis::none ? requested : std::optional(clip.up);
     PacedPoll polls(poll);
     const std::int64_t values = clip.frames() * clip.values.cols();
     const int width = point_columns(clip);

@@ -10,12 +10,14 @@ namespace stltsa::clip {
 
 /// The points relative to the body: gaps filled; their mean removed in the horizontal plane, the
 /// slow part of its height removed; one heading; columns as in the clip. Of points in a plane, the
-/// mean is removed, and the heading if it turns. `up` empty: guessed. Fewer than three points, or a
-/// clip without a frame rate, keep what these need. `poll`: called periodically, may throw.
+/// mean is removed, and the heading if it turns. `up` empty: as the file states it, or else
+/// guessed. Fewer than three points, or a clip without a frame rate, keep what these need. `poll`:
+/// called periodically, may throw.
 FeatureRows points(const Clip& clip, std::optional<Axis> up, GapRule rule,
                    const std::function<void()>& poll = {});
 
-/// The up axis that points() guesses; none for fewer than three points; z for points in a plane.
+/// The up axis that points() takes by itself; if it is guessed, none for fewer than three points; z
+/// for points in a plane.
 Axis points_up(const Clip& clip);
 
 /// Columns of each point: those that the clip says, else three.

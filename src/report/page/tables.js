@@ -113,8 +113,8 @@ const argumentWord = text => shellWord(text.startsWith("-") ? "./" + text : text
 const { name: clipName, pieces, flags } = data.source; // the clip may be a stretch of its file, or several
 const cut = pieces.length > 0;
 const clipWord = () => argumentWord(clipName || "CLIP");
-// Only Python reads these formats; the command of the Python package uses its readers.
-const foreign = /\.(c3d|trc|mot|sto|npz)$/i.test(clip.path || "");
+// Only Python reads these formats.
+const foreign = /\.(trc|mot|sto|npz)$/i.test(clip.path || "");
 // Frames of the clip as stretches of its file.
 function stretchWords(begin, end) {
   if (begin <= 0 && end >= frames) return clipWord();
@@ -138,7 +138,7 @@ function makeDetails() {
     ["Library", "libstltsa " + found.library], ["File", clip.path || "none (from memory)"], ["Checksum of the data", "CRC-32 " + data.checksum]];
   const again = data.command || (clip.path ? `stltsa decompose ${clipWord()}${flagWords("decompose")} --report ${shellWord(stem() + ".html")}` : "");
   byId("details").append(element("dl", {}, ...list.flatMap(([term, value]) => [element("dt", {}, term), element("dd", {}, String(value))])),
-    element("p", { class: "facts" }, again ? "To make this report again:" : "The clip came from memory, so no command makes this report again."), foreign ? element("p", { class: "facts" }, "The command reads this file format only if it was installed by: pip install stltsa") : "", again ? commandBox(again) : "");
+    element("p", { class: "facts" }, again ? "To make this report again:" : "The clip came from memory, so no command makes this report again."), foreign ? element("p", { class: "facts" }, "The command does not read this file format; Python does.") : "", again ? commandBox(again) : "");
   if (values.length < 2) return;
   new Panel("spectrum", {
     title: "Spectrum of the alignment matrix", height: () => 190, label: "Eigenvalues of the alignment matrix: " + values.map(v => number(v)).join(", "),

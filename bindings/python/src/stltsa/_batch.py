@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
     from ._options import Options
 
-_SUFFIXES = (".bvh", ".amc", ".csv", ".tsv", ".npy", *READERS)
+_SUFFIXES = (".bvh", ".amc", ".csv", ".tsv", ".npy", ".c3d", *READERS)
 # Frames per second that convert lengths in seconds into frames.
 _ANY_RATE = 100.0
 _SUMMARY = re.compile(r"summary[-0-9]*\.csv")

@@ -9,12 +9,11 @@ from pathlib import Path
 
 
 def main() -> None:
-    """Run the command inside the package; it reads C3D, TRC and the like by this interpreter."""
+    """Run the command inside the package."""
     command = Path(__file__).parent / "bin" / "stltsa"
     if not command.is_file():
         sys.exit(
             "stltsa: this package was built against an installed libstltsa and does not carry the "
             "command: install it beside the library"
         )
-    os.environ.setdefault("STLTSA_PYTHON", sys.executable)
     os.execv(command, ["stltsa", *sys.argv[1:]])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Decompositions for other programs: pandas, xarray, BIDS, BORIS, C3D."""
+"""Decompositions and clips for other programs: pandas, xarray, BIDS, BORIS, C3D."""
 
 from __future__ import annotations
 
@@ -13,15 +13,17 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from . import readers
+from ._native import lib
 from ._tables import frame
 from ._text import csv_text
-from .readers import c3d as readers_c3d
+from .errors import UnsupportedError
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Mapping
 
     from pandas import DataFrame
 
+    from .clip import Clip
     from .decomposition import Decomposition
     from .phase import FoundEvents
 
@@ -230,6 +232,8 @@ def _context(moment: Moment) -> tuple[str, str]:
 
 
 def _write_c3d(path: Path, rows: list[Row], moments: list[Moment], source: Path) -> None:
+    from .clip import read_clip  # it needs this module
+
     file = readers.extra("ezc3d", "c3d").c3d(str(source))
     _complete_events(file)
     header = file["header"]["points"]
@@ -237,7 +241,7 @@ def _write_c3d(path: Path, rows: list[Row], moments: list[Moment], source: Path)
     for seconds, name in _c3d_events(rows):
         minutes, rest = divmod(seconds + first, 60.0)
         file.add_event(time=[minutes, rest], context="General", label=name)
-    there = readers_c3d.read_events(file)
+    there = read_clip(source).events
     for moment in moments:
         context, label = _context(moment)
         near = 0.5 / header["frame_rate"]
@@ -246,6 +250,43 @@ def _write_c3d(path: Path, rows: list[Row], moments: list[Moment], source: Path)
             continue  # the mark itself
         minutes, rest = divmod(moment.event.seconds + first, 60.0)
         file.add_event(time=[minutes, rest], context=context, label=label)
+    _replace(path, lambda to: file.write(str(to)))
+
+
+def _positions(clip: Clip) -> Any:
+    """Return frames x points x 3, with NaN for missing points, which features would fill."""
+    with tempfile.TemporaryDirectory(prefix="stltsa-") as folder:
+        clip.save(Path(folder) / "clip.npy")
+        return np.load(Path(folder) / "clip.npy")
+
+
+def save_c3d(clip: Clip, path: Path) -> None:
+    """Write the points of a clip and its events."""
+    stated = clip.facts
+    values = _positions(clip) if stated["features"] == "points" else np.empty(0)
+    if values.ndim != 3 or values.shape[2] != 3 or not clip.fps:
+        text = f"{path}: a C3D file holds points in space and their frame rate, and this clip "
+        lack = "has no frame rate" if values.ndim == 3 and values.shape[2] == 3 else "has none"
+        raise UnsupportedError(text + lack, lib.STLTSA_E_UNSUPPORTED, "STLTSA_E_UNSUPPORTED")
+    file = readers.extra("ezc3d", "c3d").c3d()
+    point = file["parameters"]["POINT"]
+    point["RATE"]["value"] = [clip.fps]
+    names = stated["channel"][::3] or [f"p{i + 1}_x" for i in range(values.shape[1])]
+    point["LABELS"]["value"] = [name[:-1].rstrip("_. :-") for name in names]
+    if stated["unit"]:
+        point["UNITS"]["value"] = [stated["unit"]]
+    if stated["file_up_axis"] != "none":
+        file.add_parameter("POINT", "Y_SCREEN", [f"+{stated['file_up_axis'].upper()}"])
+    missing = np.isnan(values).any(axis=2).T
+    points = np.ones((4, *missing.shape))
+    points[:3] = np.nan_to_num(values).transpose(2, 1, 0)
+    masks = np.zeros((7, *missing.shape), dtype=bool)
+    file["data"]["points"] = points
+    file["data"]["meta_points"] = {"residuals": np.where(missing, -1.0, 0.0)[np.newaxis],
+                                   "camera_masks": masks}  # fmt: skip
+    for event in clip.events:
+        minutes, rest = divmod(event.seconds, 60.0)
+        file.add_event(time=[minutes, rest], context=event.context, label=event.label)
     _replace(path, lambda to: file.write(str(to)))
 
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from . import _html
+from . import _exports, _html
 from ._arrays import FloatArray, IntArray, as_matrix, columns, read_from, write_to
 from ._call import Call, check, owned
 from ._clips import call_on_clips, refuse_groups
@@ -21,6 +21,7 @@ from ._given import wrong
 from ._native import ffi, lib
 from ._options import rate_given, working_rate
 from ._text import c_path, c_text, names, string
+from .events import Event
 from .readers import is_dataset, is_points, reader
 
 if TYPE_CHECKING:
@@ -31,7 +32,6 @@ if TYPE_CHECKING:
     from ._keywords import Auto, Features, UpAxis
     from ._options import Options
     from ._progress import Progress
-    from .events import Event
 
 _FORMATS = names("STLTSA_FORMAT_")
 
@@ -52,8 +52,6 @@ class Clip(Described):
         self._handle = handle
         self._owner = owner  # owner of the handle, if that is not the clip itself
         self.path = path
-        #: What the file says that happens: :class:`stltsa.Event`, in order of time.
-        self.events: tuple[Event, ...] = ()
 
     @classmethod
     def from_points(
@@ -211,7 +209,7 @@ class Clip(Described):
 
     @property
     def format(self) -> str:
-        """``"bvh"``, ``"amc"``, ``"csv"``, ``"npy"``; of arrays: matrix, points or skeleton."""
+        """``"bvh"``, ``"amc"``, ``"csv"``, ``"npy"``, ``"c3d"``; matrix, points, skeleton."""
         return _FORMATS.get(lib.stltsa_clip_format(self._handle), "unknown")
 
     @property
@@ -257,6 +255,17 @@ class Clip(Described):
         """
         return tuple(joint[4] for joint in self._joints)
 
+    @cached_property
+    def events(self) -> tuple[Event, ...]:
+        """What the file says that happens, in order of time; empty if the rate is unknown."""
+        count = lib.stltsa_clip_event_count(self._handle) if self.fps else 0
+        raw = ffi.new("stltsa_file_event *", {"size": ffi.sizeof("stltsa_file_event")})
+        found = []
+        for index in range(count):
+            check(lib.stltsa_clip_event(self._handle, index, raw))
+            found.append(Event(string(raw.label), string(raw.context), raw.seconds))
+        return tuple(found)
+
     def stretch(self, what: str, **options: Unpack[Options]) -> Clip:
         """Return a stretch of the clip, whose frames count from 0 again.
 
@@ -279,13 +288,7 @@ class Clip(Described):
         with Call(options, working_rate(self.fps, options)) as call:
             text = c_text(what, "what")
             call.check(lib.stltsa_clip_stretch(self._handle, text, call.options, out))
-        made = Clip(owned("clip", out), self.path and f"{self.path}:{what}")
-        if not self.fps or not self.events:
-            return made
-        begin, end = self._seconds(what, options)
-        inside = (e._replace(seconds=e.seconds - begin) for e in self.events)
-        made.events = tuple(e for e in inside if 0 <= e.seconds < end - begin)
-        return made
+        return Clip(owned("clip", out), self.path and f"{self.path}:{what}")
 
     def mirrored(self, **options: Unpack[Options]) -> Clip:
         """Return the mirror image: what the left side did, the right one does.
@@ -297,14 +300,6 @@ class Clip(Described):
         with Call(options) as call:
             call.check(lib.stltsa_clip_mirror(self._handle, call.options, out))
         return Clip(owned("clip", out), self.path)
-
-    def _seconds(self, what: str, options: Options) -> tuple[float, float]:
-        """Return where the first interval of a stretch begins and ends."""
-        found, count = ffi.new("stltsa_interval *"), ffi.new("int64_t *")
-        with Call(options, working_rate(self.fps, options)) as call:
-            text = c_text(what, "what")
-            call.check(lib.stltsa_clip_find(self._handle, text, call.options, 1, found, count))
-        return found.begin_s, found.end_s
 
     def _per_joint(self, function: Any, numbers: int) -> FloatArray:
         result = columns(len(self), numbers * len(self._joints))
@@ -377,6 +372,7 @@ class Clip(Described):
         ``.bvh``: any skeleton; ``.amc``: clips read from AMC, with their ASF file beside it;
         ``.csv`` and ``.npy``: the numbers of any clip. Numbers read back to the same bits.
         ``.glb``: glTF binary, skeleton and animation or moving points, for other programs.
+        ``.c3d``: points in space with their events, by ezc3d (``stltsa[c3d]``).
 
         Parameters
         ----------
@@ -394,6 +390,9 @@ class Clip(Described):
         stltsa.FileError
             The file cannot be written.
         """
+        if Path(path).suffix.lower() == ".c3d":
+            _exports.save_c3d(self, Path(path))
+            return
         with Call({"progress": progress}) as call:
             call.check(lib.stltsa_clip_save_with(self._handle, c_path(path), call.options))
 
@@ -408,7 +407,7 @@ class Clip(Described):
 
 
 def read_clip(path: str | os.PathLike[str], **options: Unpack[Options]) -> Clip:
-    """Read a clip: BVH, ASF/AMC, CSV, NPY; by other readers C3D, TRC, MOT, STO, AMASS ``npz``.
+    """Read a clip: BVH, ASF/AMC, CSV, NPY, C3D; by other readers TRC, MOT, STO, AMASS ``npz``.
 
     Parameters
     ----------

@@ -663,6 +663,8 @@ pub const STLTSA_INFO_WARNING: i32 = 120;
 pub const STLTSA_INFO_WARNING_CODE: i32 = 121;
 pub const STLTSA_INFO_WARNING_BEGIN: i32 = 122;
 pub const STLTSA_INFO_WARNING_END: i32 = 123;
+pub const STLTSA_INFO_UNIT: i32 = 130;
+pub const STLTSA_INFO_FILE_UP_AXIS: i32 = 131;
 pub const STLTSA_WARNING_FOLLOWS_TIME: i32 = 1;
 pub const STLTSA_WARNING_RANK_DEFICIENT: i32 = 2;
 pub const STLTSA_WARNING_SMALL_GAP: i32 = 3;
@@ -852,6 +854,7 @@ pub const STLTSA_FORMAT_MATRIX: i32 = 5;
 pub const STLTSA_FORMAT_POINTS: i32 = 6;
 pub const STLTSA_FORMAT_SKELETON: i32 = 7;
 pub const STLTSA_FORMAT_GLB: i32 = 8;
+pub const STLTSA_FORMAT_C3D: i32 = 9;
 extern "C" {
     pub fn stltsa_clip_open(
         path: *const ::std::os::raw::c_char,
@@ -1173,6 +1176,98 @@ extern "C" {
         clip: *const stltsa_clip,
         index: i64,
         joint: *mut stltsa_joint,
+    ) -> stltsa_status;
+}
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_file_event {
+    pub size: usize,
+    pub label: *const ::std::os::raw::c_char,
+    pub context: *const ::std::os::raw::c_char,
+    pub frame: f64,
+    pub seconds: f64,
+}
+#[test]
+fn bindgen_test_layout_stltsa_file_event() {
+    assert_eq!(
+        ::std::mem::size_of::<stltsa_file_event>(),
+        40usize,
+        concat!("Size of: ", stringify!(stltsa_file_event))
+    );
+    assert_eq!(
+        ::std::mem::align_of::<stltsa_file_event>(),
+        8usize,
+        concat!("Alignment of ", stringify!(stltsa_file_event))
+    );
+    fn test_field_size() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_file_event>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).size) as usize - ptr as usize
+            },
+            0usize,
+            concat!("Offset of field: ", stringify!(stltsa_file_event), "::", stringify!(size))
+        );
+    }
+    test_field_size();
+    fn test_field_label() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_file_event>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).label) as usize - ptr as usize
+            },
+            8usize,
+            concat!("Offset of field: ", stringify!(stltsa_file_event), "::", stringify!(label))
+        );
+    }
+    test_field_label();
+    fn test_field_context() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_file_event>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).context) as usize - ptr as usize
+            },
+            16usize,
+            concat!("Offset of field: ", stringify!(stltsa_file_event), "::", stringify!(context))
+        );
+    }
+    test_field_context();
+    fn test_field_frame() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_file_event>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).frame) as usize - ptr as usize
+            },
+            24usize,
+            concat!("Offset of field: ", stringify!(stltsa_file_event), "::", stringify!(frame))
+        );
+    }
+    test_field_frame();
+    fn test_field_seconds() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_file_event>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).seconds) as usize - ptr as usize
+            },
+            32usize,
+            concat!("Offset of field: ", stringify!(stltsa_file_event), "::", stringify!(seconds))
+        );
+    }
+    test_field_seconds();
+}
+extern "C" {
+    pub fn stltsa_clip_event_count(clip: *const stltsa_clip) -> i64;
+}
+extern "C" {
+    pub fn stltsa_clip_event(
+        clip: *const stltsa_clip,
+        index: i64,
+        event: *mut stltsa_file_event,
     ) -> stltsa_status;
 }
 extern "C" {

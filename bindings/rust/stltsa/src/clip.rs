@@ -21,6 +21,19 @@ pub struct Clip {
     pub(crate) handle: Owned<sys::stltsa_clip>,
 }
 
+/// Something that a file says happens, such as a foot strike in C3D.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FileEvent {
+    /// Its name, such as `"Foot Strike"`.
+    pub label: String,
+    /// What it happens to, such as `"Left"`; may be empty.
+    pub context: String,
+    /// Frame of the clip, not rounded; may lie outside it.
+    pub frame: f64,
+    /// From the first frame of the clip; 0 if the rate is unknown.
+    pub seconds: f64,
+}
+
 /// A joint or end site of a clip's skeleton.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
@@ -355,6 +368,36 @@ impl Clip {
                 offset: found.offset,
                 channels,
                 is_end_site: found.is_end_site != 0,
+            })
+        }
+    }
+
+    /// Events that the file states, in order of time.
+    ///
+    /// # Errors
+    /// None for a valid clip.
+    pub fn events(&self) -> Result<Vec<FileEvent>> {
+        // SAFETY: a live handle.
+        let count = unsafe { sys::stltsa_clip_event_count(self.raw()) };
+        (0..count).map(|index| self.event(index)).collect()
+    }
+
+    fn event(&self, index: i64) -> Result<FileEvent> {
+        let mut found = sys::stltsa_file_event {
+            size: std::mem::size_of::<sys::stltsa_file_event>(),
+            label: std::ptr::null(),
+            context: std::ptr::null(),
+            frame: 0.0,
+            seconds: 0.0,
+        };
+        // SAFETY: a live handle, to which the texts belong until they are copied.
+        unsafe {
+            check(sys::stltsa_clip_event(self.raw(), index, &mut found))?;
+            Ok(FileEvent {
+                label: text(found.label),
+                context: text(found.context),
+                frame: found.frame,
+                seconds: found.seconds,
             })
         }
     }

@@ -72,7 +72,7 @@ mod synthesis;
 mod with_ndarray;
 
 pub use array::{Element, Matrix, View};
-pub use clip::{Clip, Joint, Points, Rotations};
+pub use clip::{Clip, FileEvent, Joint, Points, Rotations};
 pub use comparison::{ComparedPart, Comparison, Difference};
 pub use decomposition::{Decomposition, DecompositionInfo, Interval};
 pub use denoising::{DenoisedColumn, Denoising};

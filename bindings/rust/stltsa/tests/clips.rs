@@ -33,8 +33,9 @@ fn points(positions: &[[f64; 6]]) -> Points<'_> {
 fn points_make_a_clip() {
     let positions = swing();
     let mut clip = Clip::from_points(&points(&positions), &Options::new()).unwrap();
-    clip.set_path("walk.c3d").unwrap();
-    assert!(clip.json().unwrap().contains(r#""path":"walk.c3d""#));
+    clip.set_path("walk.trc").unwrap();
+    assert!(clip.json().unwrap().contains(r#""path":"walk.trc""#));
+    assert_eq!(clip.events().unwrap(), []);
     assert_eq!((clip.format(), clip.frames(), clip.fps()), (Format::Points, 240, Some(30.0)));
     let found = clip.decompose(&Options::new()).unwrap();
     assert!((found.info().period.unwrap() - 1.0).abs() < 0.05);

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Formats that others read: each module turns the data of one reader into a clip.
+"""Formats that the library does not read: each module turns the data of one into a clip.
 
 ================ =================================================== ==========================
  module           data                                                needs
 ================ =================================================== ==========================
- ``c3d``          C3D files: markers and events                       ``stltsa[c3d]`` (ezc3d)
  ``opensim``      TRC, MOT and STO files                              ``stltsa[trc]`` (pandas)
  ``amass``        AMASS ``npz`` files: rotations of a SMPL skeleton   nothing more
  ``movement``     datasets of `movement`: SLEAP, DeepLabCut,          ``stltsa[movement]``
@@ -28,7 +27,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 # The module that reads a suffix.
-READERS = {".c3d": "c3d", ".trc": "opensim", ".mot": "opensim", ".sto": "opensim", ".npz": "amass"}
+READERS = {".trc": "opensim", ".mot": "opensim", ".sto": "opensim", ".npz": "amass"}
 
 
 def is_dataset(value: object) -> bool:

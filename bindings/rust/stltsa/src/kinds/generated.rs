@@ -162,6 +162,8 @@ kinds! {
         Skeleton = STLTSA_FORMAT_SKELETON,
         /// GlTF 2.0, binary: only written.
         Glb = STLTSA_FORMAT_GLB,
+        /// Points and events, of any processor; only read.
+        C3d = STLTSA_FORMAT_C3D,
     }
     /// Stages that a progress closure sees; a call has some of them.
     Stage {
@@ -397,6 +399,11 @@ kinds! {
         WarningBegin = STLTSA_INFO_WARNING_BEGIN,
         /// `real[]`: end of that time; the begin for a moment.
         WarningEnd = STLTSA_INFO_WARNING_END,
+        /// `text`: unit of lengths, such as mm; empty: unknown.
+        Unit = STLTSA_INFO_UNIT,
+        /// `int`: axis that points up: 1, 2, 3 for x, y, z; 0: unknown, so that STLTSA_INFO_UP_AXIS
+        /// is found from the motion.
+        FileUpAxis = STLTSA_INFO_FILE_UP_AXIS,
     }
     /// Kinds of failure. Each function lists those that it can return.
     ErrorKind {

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// C3D: a header, parameters, and frames of points and analog samples (www.c3d.org).
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "clip/arrays/arrays.hpp"
+#include "clip/c3d/file.hpp"
+#include "clip/text/text_cursor.hpp"
+
+namespace stltsa::clip {
+namespace {
+
+using c3d::File;
+
+constexpr std::int64_t short_range = 65536; ///< of the numbers of the header
+
+/// Where the frames are, and of what.
+struct Layout {
+    std::size_t points = 0, width = 0; ///< `width`: bytes of a number
+    std::size_t begin = 0, frame_size = 0;
+    double scale = 1;                   ///< of points that are stored as integers, of two bytes
+    std::int64_t first = 1, frames = 0; ///< `first`: number in the recording, from 1
+};
+
+/// Two numbers of 16 bits, the lower first; 0: the file has none.
+std::int64_t long_number(const File& file, const char* name) {
+    const auto halves = file.parameter(name).numbers;
+    return halves.size() < 2 ? 0 : static_cast<std::int64_t>(halves[0] + short_range * halves[1]);
+}
+
+/// Frames that the file says it has, the best statement first. `room`: for so many there are bytes,
+/// of which `filled` are not zeros that fill the last block.
+std::vector<std::int64_t> stated_frames(const File& file, std::int64_t room, std::int64_t filled) {
+    constexpr double most = 1e15;
+    std::vector<std::int64_t> stated;
+    const std::int64_t start = long_number(file, "trial:actual_start_field"),
+                       end = long_number(file, "trial:actual_end_field");
+    if (end > 0 && end >= start)
+        stated.push_back(end - start + 1);
+    for (const char* name : {"point:long_frames", "point:frames"})
+        if (const double frames = file.number(name); frames >= 1 && frames < most)
+            stated.push_back(static_cast<std::int64_t>(frames));
+    // The numbers of the header begin anew after 65535 or stay there.
+    const std::int64_t first = file.word(6), last = file.word(8);
+    const std::int64_t counted = (last - first + 1 + short_range) % short_range;
+    stated.push_back(counted);
+    if (room > counted)
+        stated.push_back(last == short_range - 1 ? filled : room - (room - counted) % short_range);
+    return stated;
+}
+
+/// Of the statements that which fits the bytes, but for a block at the end that is not full.
+std::int64_t count_frames(const File& file, const Layout& layout, Clip& clip) {
+    const double rotations = file.number("rotation:data_start"); // they follow the points
+    std::size_t end = file.size();
+    if (rotations > static_cast<double>(layout.begin / c3d::block) + 1 && rotations < short_range)
+        end = std::min(end, c3d::block * (static_cast<std::size_t>(rotations) - 1));
+    const auto bytes = static_cast<std::int64_t>(end - std::min(end, layout.begin));
+    const auto size = static_cast<std::int64_t>(layout.frame_size), room = bytes / size;
+    // Programs fill the last block with zeros, or add one of them.
+    const auto fits = [&](std::int64_t frames) {
+        return frames > 0 && frames <= room &&
+               bytes - frames * size <= static_cast<std::int64_t>(c3d::block);
+    };
+    const auto is_empty = [&](std::int64_t frame) {
+        const auto at = layout.begin + layout.frame_size * static_cast<std::size_t>(frame);
+        return file.text(at, layout.frame_size).find_first_not_of('\0') == std::string_view::npos;
+    };
+    auto filled = room;
+    while (fits(filled - 1) && is_empty(filled - 1))
+        --filled;
+    const auto stated = stated_frames(file, room, filled);
+    if (const auto found = std::ranges::find_if(stated, fits); found != stated.end()) {
+        if (*found >= short_range && found + 1 == stated.end())
+            clip.notes.push_back(format_text("the header counts to 65535 frames; by its size, the "
+                                             "file holds {}",
+                                             *found));
+        return *found;
+    }
+    if (stated[0] < 1 || stated[0] > room)
+        fail(Status::format,
+             "{}: the file holds {} of the {} frames that it states: it was cut off, get the whole "
+             "file",
+             file.name(), room, stated[0]);
+    clip.notes.push_back(format_text("the file states {} frames, which are read, and has bytes for "
+                                     "{}",
+                                     stated[0], room));
+    return stated[0];
+}
+
+Layout layout_of(const File& file, Clip& clip) {
+    Layout layout;
+    layout.points = file.word(2);
+    layout.first = file.word(6);
+    if (const auto start = long_number(file, "trial:actual_start_field");
+        start % short_range == layout.first)
+        layout.first = start;
+    const double scale = file.real(12);
+    layout.width = scale < 0 ? 4 : 2;
+    if (!(scale < 0))
+        layout.scale = scale > 0 ? scale : file.number("point:scale");
+    if (!(layout.scale > 0))
+        fail(Status::format, "{}: damaged: the scale of its points is {:g}", file.name(), scale);
+    layout.frame_size = layout.width * (4 * layout.points + file.word(4));
+    layout.begin = c3d::block * (std::max<std::size_t>(file.word(16), 1) - 1);
+    if (layout.points > 0)
+        layout.frames = count_frames(file, layout, clip);
+    return layout;
+}
+
+std::string list_of(const std::vector<std::string>& names) {
+    constexpr std::size_t most_named = 6;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(names.size(), most_named); ++i)
+        text += (i == 0 ? ": " : ", ") + in_quotes(names[i]);
+    return names.size() > most_named ? text + ", ..." : text;
+}
+
+/// What the file holds beside points; empty: nothing.
+std::string other_contents(const File& file) {
+    const auto channels = file.parameter("analog:labels").texts;
+    const auto segments = file.parameter("rotation:labels").texts;
+    const double analog = file.number("analog:used", file.word(4));
+    const double rotations = file.number("rotation:used", static_cast<double>(segments.size()));
+    std::string text;
+    if (analog > 0)
+        text = format_text("{:g} analog channels{}", analog, list_of(channels));
+    if (rotations > 0)
+        text += format_text("{}rotations of {:g} segments{}", text.empty() ? "" : "; ", rotations,
+                            list_of(segments));
+    return text;
+}
+
+/// Names of the points; those without one get one.
+std::vector<std::string> names_of(const File& file, const Layout& layout, Clip& clip) {
+    std::vector<std::string> names = file.parameter("point:labels").texts, made_up;
+    names.resize(layout.points);
+    for (std::size_t p = 0; p < names.size(); ++p)
+        if (names[p].empty())
+            made_up.push_back(names[p] = format_text("p{}", p + 1));
+    if (!made_up.empty())
+        clip.notes.push_back(format_text("points without a name in the file are named by their "
+                                         "places, {} of {}{}",
+                                         made_up.size(), names.size(), list_of(made_up)));
+    return names;
+}
+
+/// Whether the name ends as those that models give to angles, forces, moments and powers.
+bool names_result(std::string_view name) {
+    if (name.ends_with('s'))
+        name.remove_suffix(1);
+    constexpr std::string_view ends[] = {"Angle", "Force", "Moment", "Power"};
+    return std::ranges::any_of(ends, [&](std::string_view end) { return name.ends_with(end); });
+}
+
+/// The points that are positions. Parameters list others, the results of a model.
+std::vector<std::size_t> positions_in(const File& file, const std::vector<std::string>& names,
+                                      Clip& clip) {
+    std::set<std::string> results;
+    for (const char* kind : {"angles", "forces", "moments", "powers", "scalars", "reactions"})
+        for (const std::string& name : file.parameter(format_text("point:{}", kind)).texts)
+            results.insert(name);
+    std::vector<std::size_t> kept;
+    std::vector<std::string> left_out;
+    for (std::size_t p = 0; p < names.size(); ++p)
+        if (results.contains(names[p]) || names_result(names[p]))
+            left_out.push_back(names[p]);
+        else
+            kept.push_back(p);
+    if (!left_out.empty())
+        clip.notes.push_back(format_text("left out, as results of a model are no positions: {} of "
+                                         "{} points{}",
+                                         left_out.size(), names.size(), list_of(left_out)));
+    return kept;
+}
+
+/// A point is missing if its residual is negative, or if a number is NaN.
+void read_point(const File& file, const Layout& layout, std::size_t at, double* point) {
+    double numbers[4];
+    for (double& number : numbers) {
+        number = layout.width == 4 ? file.real(at) : static_cast<std::int16_t>(file.word(at));
+        at += layout.width;
+    }
+    const bool missing = numbers[3] < 0 || std::ranges::any_of(numbers, [](double number) {
+                             return std::isnan(number);
+                         });
+    for (int axis = 0; axis < 3; ++axis)
+        point[axis] =
+            missing ? std::numeric_limits<double>::quiet_NaN() : numbers[axis] * layout.scale;
+}
+
+Matrix read_points(const File& file, const Layout& layout, const std::vector<std::size_t>& kept,
+                   const Progress& progress) {
+    Matrix values = Matrix::unset(layout.frames, 3 * std::ssize(kept));
+    PacedPoll polls(progress, Stage::read, 1);
+    for (std::int64_t i = 0; i < layout.frames; ++i, polls.did(4 * values.cols())) {
+        const std::size_t frame = layout.begin + static_cast<std::size_t>(i) * layout.frame_size;
+        double* point = values.row(i);
+        for (const std::size_t p : kept) {
+            read_point(file, layout, frame + 4 * layout.width * p, point);
+            if (std::any_of(point, point + 3, [](double x) { return std::isinf(x); }))
+                fail(Status::not_finite, "{}: frame {}: point {} is infinite", file.name(), i, p);
+            point += 3;
+        }
+    }
+    return values;
+}
+
+/// Frames a second; 0: unknown.
+double rate_in(const File& file, Clip& clip) {
+    const auto usable = [](double rate) { return rate >= lowest_fps && rate <= highest_fps; };
+    const double header = file.real(20), stated = file.number("point:rate");
+    if (!usable(stated))
+        return usable(header) ? header : 0;
+    if (usable(header) && static_cast<float>(header) != static_cast<float>(stated))
+        clip.notes.push_back(format_text("the header says {:g} frames a second, and POINT:RATE "
+                                         "{:g}, which is taken",
+                                         header, stated));
+    return stated;
+}
+
+/// The axis that points up on the screen of the program that wrote the file, such as "+Z".
+void read_up_axis(const File& file, Clip& clip) {
+    const auto screen = file.parameter("point:y_screen").texts;
+    const std::string axis = screen.empty() ? "" : to_lower(screen[0]);
+    if (axis.empty() || axis.size() > 2 || axis.back() < 'x' || axis.back() > 'z')
+        return;
+    clip.up = static_cast<Axis>(axis.back() - 'x' + 1);
+    if (axis[0] == '-')
+        clip.notes.push_back(format_text("POINT:Y_SCREEN is {}: the axis points down", axis));
+}
+
+/// Events of the parameters, or else of the header. Their times count from frame 1.
+void read_events(const File& file, std::int64_t first, double fps, Clip& clip) {
+    constexpr std::size_t key = 298, count = 300, times = 304, names = 396, most = 18;
+    auto labels = file.parameter("event:labels").texts;
+    auto contexts = file.parameter("event:contexts").texts;
+    auto minutes = file.parameter("event:times").numbers; // minutes and seconds of each
+    if (labels.empty() && file.word(key) == 12345)
+        for (std::size_t i = 0; i < std::min<std::size_t>(file.word(count), most); ++i) {
+            const std::string_view name = file.text(names + 4 * i, 4);
+            labels.emplace_back(trim(name.substr(0, name.find('\0'))));
+            minutes.insert(minutes.end(), {0, file.real(times + 4 * i)});
+        }
+    contexts.resize(labels.size());
+    for (std::size_t i = 0; i < std::min(labels.size(), minutes.size() / 2); ++i)
+        if (const double frame = (60 * minutes[2 * i] + minutes[2 * i + 1]) * fps;
+            std::isfinite(frame))
+            clip.events.push_back({frame - static_cast<double>(first - 1), labels[i], contexts[i]});
+    std::ranges::stable_sort(clip.events, {}, &Event::frame);
+    if (clip.events.size() < labels.size())
+        clip.notes.push_back(format_text("{} of {} events have no time in frames, and are left out",
+                                         labels.size() - clip.events.size(), labels.size()));
+}
+
+} // namespace
+
+Clip parse_c3d(std::string_view bytes, const std::string& name, const ReadOptions& options) {
+    const File file(bytes, name);
+    Clip clip;
+    const Layout layout = layout_of(file, clip);
+    const auto names = names_of(file, layout, clip);
+    const auto kept = positions_in(file, names, clip);
+    const std::string others = other_contents(file);
+    if (kept.empty())
+        fail(Status::format, "{}: the file has no points; it holds {}{}{}", name, others,
+             others.empty() || names.empty() ? "" : "; ",
+             !names.empty()   ? "results of a model" + list_of(names)
+             : others.empty() ? "nothing else"
+                              : "");
+    if (!others.empty())
+        clip.notes.push_back("beside the points, not read: " + others);
+    clip.fps = rate_in(file, clip);
+    clip.space = 3;
+    clip.values = read_points(file, layout, kept, options.progress);
+    std::vector<std::string> labels;
+    for (const std::size_t p : kept)
+        labels.push_back(names[p]);
+    clip.channel_names = coordinate_names(labels, clip.space);
+    read_up_axis(file, clip);
+    const auto units = file.parameter("point:units").texts;
+    clip.unit = units.empty() ? "" : units[0];
+    read_events(file, std::max<std::int64_t>(layout.first, 1),
+                clip.fps > 0 ? clip.fps : options.fps.value_or(NAN), clip);
+    return clip;
+}
+
+} // namespace stltsa::clip
