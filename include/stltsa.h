@@ -176,8 +176,9 @@ enum {
     STLTSA_OPT_UP_AXIS = 10,     /* int   1, 2, 3: x, y, z; auto: found from the skeleton, guessed
                                       from points (a note says so) */
     STLTSA_OPT_KEEP_START = 11,  /* int   1: do not drop a T-pose at the start */
-    STLTSA_OPT_FPS = 12,         /* real  frames a second, instead of the file's rate; auto: the
-                                      file's. unmap_clip: points a second; auto: the
+    STLTSA_OPT_FPS = 12,         /* real  frames a second, for files that have no rate; of others
+                                      it replaces the rate and the times, and a note says so;
+                                      auto: the file's. unmap_clip: points a second; auto: the
                                       model's rows */
     STLTSA_OPT_SAMPLE_RATE = 13, /* real  clips: keep one frame in fps / sample_rate, rounded; 0:
                                       all */
@@ -584,7 +585,9 @@ enum {
     STLTSA_FORMAT_POINTS = 6, /* no file: stltsa_clip_from_points */
     STLTSA_FORMAT_SKELETON = 7, /* no file: stltsa_clip_from_skeleton */
     STLTSA_FORMAT_GLB = 8, /* glTF 2.0, binary: only written */
-    STLTSA_FORMAT_C3D = 9 /* points and events, of any processor; only read */
+    STLTSA_FORMAT_C3D = 9,  /* points and events, of any processor: only read */
+    STLTSA_FORMAT_TRC = 10, /* markers, as OpenSim reads them: only read. y is up, by convention */
+    STLTSA_FORMAT_MOT = 11  /* MOT and STO of OpenSim, joint coordinates and the like: only read */
 };
 
 /* Reads a clip, or a stretch of it, whose name follows the path: "walk.bvh:2.5s-9s", see

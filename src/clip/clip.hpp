@@ -32,7 +32,9 @@ enum class Format : std::int32_t {
     points = 6,
     skeleton = 7,
     glb = 8,
-    c3d = 9
+    c3d = 9,
+    trc = 10,
+    mot = 11
 };
 
 /// none: of bare numbers, which have no direction.
@@ -81,11 +83,11 @@ struct Clip {
     Matrix values;
     int space = 0; ///< without a skeleton: coordinates of each point, 2 or 3; 0: no points
     std::vector<std::string> channel_names; ///< one per column of values; may be empty for matrices
-    std::string subject;            ///< whose points these are, if the file says so
-    Axis up = Axis::none;           ///< as the file states it; none: it does not
-    std::string unit;               ///< of lengths, as the file states it; empty: it does not
-    std::vector<Event> events;      ///< in order of time
-    std::vector<std::string> notes; ///< what the reader assumed
+    std::string subject;                    ///< whose points these are, if the file says so
+    Axis up = Axis::none;                   ///< as the file states it; none: it does not
+    std::string unit;                 ///< of lengths, as the file states it; empty: it does not
+    std::vector<Event> events;        ///< in order of time
+    std::vector<std::string> notes;   ///< what the reader assumed
     std::vector<std::int64_t> breaks; ///< frames that do not continue the one before
 
     std::int64_t frames() const { return values.rows(); }

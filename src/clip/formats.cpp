@@ -15,6 +15,8 @@ Clip parse_amc(std::string_view bytes, const std::string& name, const ReadOption
 Clip parse_csv(std::string_view bytes, const std::string& name, const ReadOptions& options);
 Clip parse_npy(std::string_view bytes, const std::string& name, const ReadOptions& options);
 Clip parse_c3d(std::string_view bytes, const std::string& name, const ReadOptions& options);
+Clip parse_trc(std::string_view bytes, const std::string& name, const ReadOptions& options);
+Clip parse_mot(std::string_view bytes, const std::string& name, const ReadOptions& options);
 std::string format_bvh(const Clip& clip, const Progress& progress);
 std::string format_amc(const Clip& clip, const Progress& progress);
 std::string format_csv(const Clip& clip, const Progress& progress);
@@ -46,6 +48,22 @@ bool is_npy(std::string_view bytes) {
     return bytes.starts_with("\x93NUMPY");
 }
 
+bool is_trc(std::string_view bytes) {
+    return starts_with_ignoring_case(first_word(bytes), "PathFileType");
+}
+
+/// One of the first lines ends the header.
+bool is_mot(std::string_view bytes) {
+    constexpr int most_lines = 64;
+    if (is_utf16(bytes))
+        return false;
+    TextCursor in(bytes, "");
+    for (int i = 0; i < most_lines; ++i)
+        if (equals_ignoring_case(trim(in.line()), "endheader"))
+            return true;
+    return false;
+}
+
 } // namespace
 
 std::span<const FormatRow> formats() {
@@ -59,6 +77,8 @@ std::span<const FormatRow> formats() {
         {Format::skeleton, "skeleton", {}, false, false, nullptr, nullptr, nullptr},
         {Format::glb, "glb", {".glb"}, false, false, nullptr, nullptr, format_glb},
         {Format::c3d, "c3d", {".c3d"}, false, false, c3d::is_c3d, parse_c3d, nullptr},
+        {Format::trc, "trc", {".trc"}, true, false, is_trc, parse_trc, nullptr},
+        {Format::mot, "mot", {".mot", ".sto"}, true, false, is_mot, parse_mot, nullptr},
     };
     return rows;
 }

@@ -22,11 +22,7 @@ void refuse_format_of_others(const std::string& path) {
     struct Other {
         std::string_view suffix, how;
     };
-    constexpr std::string_view pandas = "pip install 'stltsa[trc]'", opens = "stltsa.read_clip";
-    constexpr Other others[] = {{".trc", pandas},
-                                {".mot", pandas},
-                                {".sto", pandas},
-                                {".npz", opens},
+    constexpr Other others[] = {{".npz", "stltsa.read_clip"},
                                 {".nc", "stltsa.decompose of a dataset"}};
     const std::string suffix = std::filesystem::path(path).extension().string();
     for (const Other& other : others)
@@ -94,6 +90,10 @@ Clip parse(std::string_view bytes, Format format, const std::string& name,
     if (!options.subject.empty() && clip.subject.empty())
         one_subject({}, options.subject, shown);
     if (options.fps) {
+        if (clip.fps > 0 && clip.fps != *options.fps)
+            clip.notes.push_back(format_text("option fps: {:.6g} frames a second instead of the "
+                                             "file's {:.6g}",
+                                             *options.fps, clip.fps));
         clip.fps = *options.fps;
         clip.frame_time = 0;
     }

@@ -253,7 +253,7 @@ def sleap(folder):
     yield Case(both, error="there are 2 subjects, 'track_0', 'track_1'")
     yield Case(both, "plane", (*fps, "--subject", "track_0"))
     holes = write(folder / "holes.csv", [head, *(row for row in first if not 100 <= row[1] < 110)])
-    yield Case(holes, options=fps, note="frames without a row, taken as missing: 10 of")
+    yield Case(holes, options=fps, note="rows are missing by the count of frames: 10 of")
 
 
 # ---- Exporters ----
@@ -392,7 +392,7 @@ def gaps(folder):
         yield Case(write(folder / f"{word}.csv", filled), "missing")
     yield Case(write(folder / "semicolon.csv", lines, ";"), "missing")
     rows = write(folder / "rows.csv", lines[:100] + lines[110:])
-    yield Case(rows, note=f"resampled to {FPS} frames a second, of which 10 have no value")
+    yield Case(rows, note="rows are missing by the times: 10 of")
 
 
 @layout("columns beside the points: text, other quantities")

@@ -88,10 +88,11 @@ class Batch(CommandTest):
         origin = result.pop("batch")
         self.assertEqual(origin["bytes"], (self.clips / "walk.bvh").stat().st_size)
         self.assertEqual(origin["options"], {"fps": "30"})
-        line = ("decompose", "clips/walk.bvh", "--fps", "30", "--threads", "1")
+        line = ("decompose", "clips/walk.bvh", "--threads", "1")  # its own rate, not that of --fps
         alone = self.json(*line, cwd=self.folder)
         self.assertEqual(result, alone)
         self.assertEqual(int(rows[2]["cycles"]), len(alone["cycles"]))
+        self.assertEqual([float(row["fps"]) for row in rows], [30, 60, 120])
         self.assertEqual(float(rows[2]["period_s"]), alone["period_s"])
         self.assertEqual([rows[2][name] for name in ("status", "error", "reason")], ["done", "", ""])
 

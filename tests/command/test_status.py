@@ -88,7 +88,7 @@ class Usage(CommandTest):
 
     def test_options_are_called_by_their_flags(self):
         """The library knows options; the user typed flags."""
-        clock = write_csv("clock.csv", [[0, 1, 2], [10, 3, 1], [20, 1, 4]], "time,x,y\n")
+        clock = write_csv("clock.csv", [[0, 1, 2], [10, 3, 1], [20, 1, 4]], "t,x,y\n")
         text = " ".join(self.done("info", clock).decode().split())
         self.assertIn("set --fps", text)
         self.assertIn("set --features to", " ".join(

@@ -115,6 +115,38 @@ def npy(rows, shape, descr="<f8", order="False"):
             + b"".join(struct.pack(code, value) for row in rows for value in row))
 
 
+def trc(times, rows, separator="\t"):
+    text = ("PathFileType|4|(X/Y/Z)|walk.trc\nDataRate|CameraRate|NumFrames|NumMarkers|Units\n"
+            f"30|30|{len(rows)}|2|mm\nFrame#|Time|heel|||toe||\n||X1|Y1|Z1|X2|Y2|Z2\n\n")
+    return text.replace("|", separator) + lines(
+        ([i, time, *row] for i, (time, row) in enumerate(zip(times, rows, strict=True), 1)),
+        separator)
+
+
+def mot(times, rows, more="inDegrees=yes\n"):
+    return (f"Coordinates\nversion=1\nnRows={len(rows)}\nnColumns={len(rows[0]) + 1}\n{more}"
+            "endheader\ntime\t" + "\t".join(f"angle{i}" for i in range(len(rows[0]))) + "\n"
+            + lines(([time, *row] for time, row in zip(times, rows, strict=True)), "\t"))
+
+
+def opensim(rows):
+    even = [round(i / 30, 3) for i in range(len(rows))]
+    uneven = [round(0.03 * i + 0.01 * math.sin(i), 4) for i in range(len(rows))]
+    lost = [time + (0.5 if i > 30 else 0) for i, time in enumerate(even)]
+    put("trc", "walk", trc(even, rows))
+    put("trc", "lost", trc(lost, rows, ","))
+    put("trc", "gaps", trc(even, rows).replace("\t20.0", "\t"))
+    put("mot", "walk", mot(even, rows))
+    put("mot", "uneven", mot(uneven, rows))
+    put("mot", "vectors", mot(even, [[",".join(map(str, row[:3]))] for row in rows],
+                              "DataType=Vec3\n"))
+    put("csv", "dates", "timestamp,a,b\n" + lines(
+        ([f"2024-01-01 12:00:{time:06.3f}", *row[:2]]
+         for time, row in zip(even, rows, strict=True)), ","))
+    put("csv", "packets", "packet counter,a,b\n" + lines(
+        ([(200 + i + (3 if i > 30 else 0)) % 256, *row[:2]] for i, row in enumerate(rows)), ","))
+
+
 def main():
     put("bvh", "walk", bvh())
     put("bvh", "few", bvh(3))
@@ -126,6 +158,7 @@ def main():
     put("csv", "gaps", "a_x;a_y;a_z;b_x;b_y;b_z\n" + lines(rows, ";").replace("20.0", ""))
     put("csv", "two-lines", "scorer,m,m,m\nbodyparts,nose,nose,nose\ncoords,x,y,likelihood\n"
         + lines(([i, *row[:3]] for i, row in enumerate(rows)), ","))
+    opensim(rows)
     put("npy", "rows", npy(rows, "(60, 6)"))
     put("npy", "points", npy(rows, "(60, 2, 3)", "<f4"))
     put("npy", "fortran", npy(rows, "(60, 6)", ">f8", "True"))

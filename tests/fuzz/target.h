@@ -81,19 +81,25 @@ static inline void use_clip(const stltsa_clip* clip) {
     stltsa_decomposition_free(found);
 }
 
-/* Reads bytes in a format; the rate is given, since many formats have none. */
-static inline void read_as(int32_t format, const uint8_t* data, size_t size) {
-    stltsa_options* options = NULL;
+/* Reads bytes in a format, at the rate that they say. */
+static inline void read_with(const stltsa_options* options, int32_t format, const uint8_t* data,
+                             size_t size) {
     stltsa_clip* clip = NULL;
-    if (stltsa_options_new(&options) != STLTSA_OK)
-        return;
-    stltsa_options_set_real(options, STLTSA_OPT_FPS, 30);
     MAKES(stltsa_clip_parse(data, size, format, NULL, options, &clip), clip);
     if (clip != NULL) {
         ++accepted_inputs;
         use_clip(clip);
     }
     stltsa_clip_free(clip);
+}
+
+/* The same; the rate is given, since many formats have none. */
+static inline void read_as(int32_t format, const uint8_t* data, size_t size) {
+    stltsa_options* options = NULL;
+    if (stltsa_options_new(&options) != STLTSA_OK)
+        return;
+    stltsa_options_set_real(options, STLTSA_OPT_FPS, 30);
+    read_with(options, format, data, size);
     stltsa_options_free(options);
 }
 

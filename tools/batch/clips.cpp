@@ -24,9 +24,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* readable[] = {".bvh", ".amc", ".csv", ".tsv", ".npy", ".c3d"};
+constexpr const char* readable[] = {".bvh", ".amc", ".csv", ".tsv", ".npy",
+                                    ".c3d", ".trc", ".mot", ".sto"};
 /// Formats that only the Python package reads.
-constexpr const char* foreign[] = {".npz", ".nc", ".trc", ".mot", ".sto"};
+constexpr const char* foreign[] = {".npz", ".nc"};
 
 bool ends_in_one(const std::string& path, std::span<const char* const> suffixes) {
     return std::ranges::any_of(suffixes, [&](const char* suffix) { return ends_in(path, suffix); });
@@ -169,7 +170,7 @@ Found find_clips(const std::vector<std::string>& paths, const std::string& out) 
                                                    other->second, clip.path, clip.result));
     if (clips.empty())
         throw Failure(Exit::usage,
-                      fmt::format("there are no .bvh, .amc, .csv, .tsv, .npy or .c3d files{}{}",
+                      fmt::format("there are no {} files{}{}", fmt::join(readable, ", "),
                                   found.foreign > 0 ? "; " : "",
                                   found.foreign > 0 ? left_out(found.foreign) : ""));
     return found;

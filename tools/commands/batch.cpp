@@ -130,9 +130,20 @@ class Work {
         options.set(STLTSA_OPT_THREADS, std::int64_t{1}); // the jobs are threads
         options.set_progress([](std::int32_t, double) { return interrupted(); });
         set_options(options, arguments_.options);
-        const stltsa::Clip clip = stltsa::Clip::open(path.path, options);
+        const stltsa::Clip clip = open(path.path, options);
         set_lengths(options, arguments_.options, working_rate(clip, options));
         return stltsa::decompose(clip, options).json();
+    }
+
+    /// --fps is for files that have no rate.
+    stltsa::Clip open(const std::string& path, stltsa::Options& options) const {
+        const auto fps = arguments_.options.find(STLTSA_OPT_FPS);
+        options.unset(STLTSA_OPT_FPS);
+        stltsa::Clip clip = stltsa::Clip::open(path, options);
+        if (clip.fps() > 0 || fps == arguments_.options.end())
+            return clip;
+        set_options(options, {*fps});
+        return stltsa::Clip::open(path, options);
     }
 
     static void write(const std::string& place, const std::string& text) {

@@ -12,8 +12,6 @@ import pytest
 
 import stltsa
 
-pytest.importorskip("pandas")
-
 NAMES = ("HEAD", "LTOE", "RTOE", "LELB", "RELB")
 
 
@@ -151,7 +149,9 @@ def test_mot(tmp_path):
     path.write_text("walk\nversion=1\nnRows=100\nnColumns=3\ninDegrees=yes\nendheader\n"
                     "time\thip\tknee\n" + "\n".join(rows) + "\n")  # fmt: skip
     clip = stltsa.read_clip(path)
-    assert clip.fps == pytest.approx(50)
+    assert clip.fps == 50
+    assert clip.format == "mot"
+    assert list(clip.facts["channel"]) == ["hip", "knee"]
     expected = np.column_stack([np.sin(np.arange(100) / 8), np.cos(np.arange(100) / 8)])
     assert clip.features() == pytest.approx(expected)
 
@@ -352,7 +352,7 @@ def test_models_of_datasets_and_points():
     [
         ("a.trc", "hello\n", "PathFileType"),
         ("a.mot", "hello\n", "endheader"),
-        ("a.mot", "endheader\ntime\tx\n0\tone\n", "cannot be read"),
+        ("a.mot", "endheader\ntime\tx\n0\tone\n", "'one' is not a number"),
         ("a.mot", "endheader\ntime\tx\n1\t1\n1\t2\n", "does not increase"),
         ("a.c3d", "", r"a\.c3d: not a C3D file"),
         ("a.c3d", "HIERARCHY\nROOT hip\n", r"a\.c3d: not a C3D file"),

@@ -20,7 +20,7 @@ constexpr stltsa_info_key text(int32_t key, const char* name, const char* text) 
 constexpr stltsa_info_key rows[] = {
     text(STLTSA_INFO_PATH, "path", "Path of the clip as given; empty: from memory."),
     whole(STLTSA_INFO_FORMAT, "format", "STLTSA_FORMAT_* of the clip.",
-          "bvh=1 amc=2 csv=3 npy=4 matrix=5 points=6 skeleton=7 glb=8 c3d=9"),
+          "bvh=1 amc=2 csv=3 npy=4 matrix=5 points=6 skeleton=7 glb=8 c3d=9 trc=10 mot=11"),
     whole(STLTSA_INFO_CLIP_FRAMES, "clip_frames", "Frames of the clip."),
     real(STLTSA_INFO_CLIP_FPS, "clip_fps", "Frames a second of the clip; 0: unknown."),
     text(STLTSA_INFO_NOTE, "note", "What was assumed of the clip, and removed from it."),

@@ -75,7 +75,8 @@ constexpr stltsa_option_info rows[] = {
     whole(STLTSA_OPT_KEEP_START, analyzes, "keep_start",
           "Keep a T-pose at the start instead of dropping it.", 0, 1, 0),
     real(STLTSA_OPT_FPS, embeds | STLTSA_CALL_OPEN | STLTSA_CALL_UNMAP | STLTSA_CALL_DENOISE, "fps",
-         "Frames per second, instead of the file's rate; unmap: points per second; auto: the "
+         "Frames per second, for files that have no rate; of others it replaces the rate and the "
+         "times, and a note says so (batch: it does not); unmap: points per second; auto: the "
          "file's rate, or the model's.",
          least_rate, 1e6, automatic),
     real(STLTSA_OPT_SAMPLE_RATE, analyzes, "sample_rate",

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "linalg/matrix.hpp"
 
 namespace stltsa::clip {
+
+/// Rates with a smaller relative difference are one: 29.97 and 30.
+constexpr double same_rate = 0.01;
 
 /// The steps between times.
 struct TimeSteps {
@@ -22,6 +27,17 @@ struct TimeSteps {
     bool count() const { return least == 1 && most == 1; }
 };
 
+/// Whether the times are those of even rows, rounded to a unit as large as their steps, so that
+/// some of the steps are twice as long as others, or 0.
+bool are_rounded(std::span<const double> times);
+
+/// What tells the places of rows in time.
+struct Clock {
+    std::span<const double> times;        ///< seconds, increasing; two or more
+    std::span<const std::int64_t> counts; ///< of rows, from 0, increasing; empty: not counted
+    double fps = 0;                       ///< said beside the times; 0: nothing is said
+};
+
 /// Rows at a constant rate.
 struct EvenRows {
     Matrix rows;
@@ -29,9 +45,14 @@ struct EvenRows {
     std::string note; ///< what was done; empty: the rows are those given
 };
 
-/// Rows at increasing times, in seconds. If the steps are uneven, they are resampled linearly at
-/// the rate of the usual step; where rows are missing, their values are NaN. Throws Status::format
-/// with `where` before the text if more rows are missing than there are.
-EvenRows even_rows(Matrix rows, std::span<const double> times, const std::string& where);
+/// Rows at increasing times. The rate is that of all rows, from the first to the last; of the rates
+/// that the digits of the times leave open, that which is said, or a whole one. Rows that are
+/// missing, by the counts or the times, are NaN. Rows at uneven times are resampled linearly, at
+/// the rate of the usual step, or of the mean if steps vary slowly. Throws Status::format with
+/// `where` before the text if more rows are missing than there are.
+EvenRows even_rows(Matrix rows, const Clock& clock, const std::string& where);
+
+/// Rows at their counts, the others NaN; without a rate. Throws as even_rows.
+EvenRows counted_rows(Matrix rows, std::span<const std::int64_t> counts, const std::string& where);
 
 } // namespace stltsa::clip

@@ -10,9 +10,6 @@
 namespace stltsa::clip {
 namespace {
 
-/// Rates with a smaller relative difference are one: 29.97 and 30.
-constexpr double same_rate = 0.01;
-
 void check_shapes(const PointArrays& arrays) {
     const ConstMatrixView& given = arrays.positions;
     if (arrays.space != 2 && arrays.space != 3)
@@ -65,15 +62,14 @@ void set_rate(const PointArrays& arrays, Clip& clip) {
     std::vector<double> times;
     for (std::int64_t i = 0; i < arrays.times.rows; ++i)
         times.push_back(arrays.times(i, 0));
-    const double rate = rate_of(TimeSteps(times).usual);
-    if (arrays.fps > 0 && std::abs(rate - arrays.fps) > same_rate * arrays.fps)
+    EvenRows even = even_rows(std::move(clip.values), {times, {}, arrays.fps}, "times");
+    if (arrays.fps > 0 && std::abs(even.fps - arrays.fps) > same_rate * arrays.fps)
         fail(Status::argument,
              "fps is {:g}, but the times are {:g} a second: give one of them, or correct the other",
-             arrays.fps, rate);
-    if (rate < lowest_fps || rate > highest_fps)
+             arrays.fps, even.fps);
+    if (even.fps < lowest_fps || even.fps > highest_fps)
         fail(Status::argument, "the times are {:g} frames a second; this must be from {:g} to {:g}",
-             rate, lowest_fps, highest_fps);
-    EvenRows even = even_rows(std::move(clip.values), times, "times");
+             even.fps, lowest_fps, highest_fps);
     clip.values = std::move(even.rows);
     clip.fps = even.fps;
     if (!even.note.empty())

@@ -7,6 +7,7 @@
 
 #include "clip/arrays/arrays.hpp"
 #include "clip/c3d/file.hpp"
+#include "clip/features/subjects.hpp"
 #include "clip/text/text_cursor.hpp"
 
 namespace stltsa::clip {
@@ -255,6 +256,25 @@ void read_events(const File& file, std::int64_t first, double fps, Clip& clip) {
                                          labels.size() - clip.events.size(), labels.size()));
 }
 
+/// Leaves the points of one subject in `points`, and returns their names.
+std::vector<std::string> keep_subject(const std::vector<std::string>& names,
+                                      const std::string& wanted, const std::string& file,
+                                      std::vector<std::size_t>& points, Clip& clip) {
+    std::vector<std::string> labels, chosen_labels;
+    for (const std::size_t p : points)
+        labels.push_back(names[p]);
+    SubjectPoints chosen = points_of_subject(labels, wanted, file);
+    clip.subject = chosen.subject;
+    if (!chosen.note.empty())
+        clip.notes.push_back(std::move(chosen.note));
+    for (std::size_t& i : chosen.points) {
+        chosen_labels.push_back(labels[i]);
+        i = points[i];
+    }
+    points = std::move(chosen.points);
+    return chosen_labels;
+}
+
 } // namespace
 
 Clip parse_c3d(std::string_view bytes, const std::string& name, const ReadOptions& options) {
@@ -262,7 +282,7 @@ Clip parse_c3d(std::string_view bytes, const std::string& name, const ReadOption
     Clip clip;
     const Layout layout = layout_of(file, clip);
     const auto names = names_of(file, layout, clip);
-    const auto kept = positions_in(file, names, clip);
+    auto kept = positions_in(file, names, clip);
     const std::string others = other_contents(file);
     if (kept.empty())
         fail(Status::format, "{}: the file has no points; it holds {}{}{}", name, others,
@@ -272,12 +292,10 @@ Clip parse_c3d(std::string_view bytes, const std::string& name, const ReadOption
                               : "");
     if (!others.empty())
         clip.notes.push_back("beside the points, not read: " + others);
+    const std::vector<std::string> labels = keep_subject(names, options.subject, name, kept, clip);
     clip.fps = rate_in(file, clip);
     clip.space = 3;
     clip.values = read_points(file, layout, kept, options.progress);
-    std::vector<std::string> labels;
-    for (const std::size_t p : kept)
-        labels.push_back(names[p]);
     clip.channel_names = coordinate_names(labels, clip.space);
     read_up_axis(file, clip);
     const auto units = file.parameter("point:units").texts;

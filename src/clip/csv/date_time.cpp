@@ -1,71 +1,130 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clip/csv/date_time.hpp"
 
-#include <string>
+#include <chrono>
 
-#include "clip/text/number.hpp"
+#include "clip/text/text_cursor.hpp"
 
 namespace stltsa::clip {
 namespace {
 
-/// Takes `digits` digits off the front of a text, and then the character, if there is one.
-std::optional<int> take(std::string_view& text, std::size_t digits, char then) {
-    const std::size_t length = digits + (then == '\0' ? 0 : 1);
-    if (text.size() < length || text.substr(0, digits).find_first_not_of("0123456789") != text.npos)
-        return std::nullopt;
-    if (then != '\0' && text[digits] != then)
-        return std::nullopt;
-    const auto value = parse_integer(text.substr(0, digits));
-    text.remove_prefix(length);
-    return static_cast<int>(*value);
+constexpr double seconds_a_minute = 60, seconds_an_hour = 3600, seconds_a_day = 86400;
+
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
 }
 
-/// Days since 1970-01-01 in the Gregorian calendar: years begin in March, so that a leap day is the
-/// last of its year, and 400 years have 146097 days.
-int days_of(int year, int month, int day) {
-    year -= month <= 2 ? 1 : 0;
-    const int of_era = year % 400;
-    const int of_year = (153 * ((month + 9) % 12) + 2) / 5 + day - 1;
-    return year / 400 * 146097 + of_era * 365 + of_era / 4 - of_era / 100 + of_year - 719468;
+/// Reads a cell from left to right; nothing is taken if it is not what is asked for.
+class Reading {
+  public:
+    explicit Reading(std::string_view text) : rest_(text) {}
+
+    bool skip(char c) {
+        const bool there = rest_.starts_with(c);
+        rest_.remove_prefix(there ? 1 : 0);
+        return there;
+    }
+
+    std::optional<int> digits(std::size_t least, std::size_t most) {
+        std::size_t count = 0;
+        int value = 0;
+        while (count < most && count < rest_.size() && is_digit(rest_[count]))
+            value = 10 * value + (rest_[count++] - '0');
+        if (count < least)
+            return std::nullopt;
+        rest_.remove_prefix(count);
+        return value;
+    }
+
+    /// Two digits that are less than the limit.
+    std::optional<int> below(int limit, std::size_t least = 2) {
+        const auto value = digits(least, 2);
+        return value && *value < limit ? value : std::nullopt;
+    }
+
+    /// The digits after a point, or after the comma of some countries.
+    double fraction() {
+        double value = 0, unit = 1;
+        if (!skip('.') && !skip(','))
+            return 0;
+        while (!rest_.empty() && is_digit(rest_[0])) {
+            unit /= 10;
+            value += unit * (rest_[0] - '0');
+            rest_.remove_prefix(1);
+        }
+        return value;
+    }
+
+    bool at_end() const { return rest_.empty(); }
+
+  private:
+    std::string_view rest_;
+};
+
+/// Seconds from 1970 to the beginning of the day.
+std::optional<double> date_of(Reading& in) {
+    const auto year = in.digits(4, 4);
+    const char between = in.skip('-') ? '-' : in.skip('/') ? '/' : '\0';
+    const auto month = year && between != '\0' ? in.below(13) : std::nullopt;
+    const auto date = month && in.skip(between) ? in.below(32) : std::nullopt;
+    if (!date)
+        return std::nullopt;
+    const std::chrono::year_month_day found{std::chrono::year(*year),
+                                            std::chrono::month(static_cast<unsigned>(*month)),
+                                            std::chrono::day(static_cast<unsigned>(*date))};
+    if (!found.ok())
+        return std::nullopt;
+    return seconds_a_day *
+           static_cast<double>(std::chrono::sys_days(found).time_since_epoch().count());
 }
 
-std::optional<double> take_date(std::string_view& text) {
-    const auto year = take(text, 4, '-');
-    const auto month = year ? take(text, 2, '-') : std::nullopt;
-    const auto day = month ? take(text, 2, '\0') : std::nullopt;
-    if (!day || *month < 1 || *month > 12 || *day < 1 || *day > 31)
+/// Seconds since midnight.
+std::optional<double> time_of_day(Reading& in) {
+    const auto hours = in.below(24, 1);
+    const auto minutes = hours && in.skip(':') ? in.below(60) : std::nullopt;
+    if (!minutes)
         return std::nullopt;
-    if (text.empty() || (text[0] != ' ' && text[0] != 'T' && text[0] != 't'))
+    double seconds = seconds_an_hour * *hours + seconds_a_minute * *minutes;
+    if (!in.skip(':'))
+        return seconds;
+    const auto whole = in.below(61); // a leap second is the 60th
+    if (!whole)
         return std::nullopt;
-    text.remove_prefix(1);
-    return 86400.0 * days_of(*year, *month, *day);
+    seconds += *whole;
+    return seconds + in.fraction();
 }
 
-/// Seconds with decimals, after which a time zone may follow.
-std::optional<double> take_seconds(std::string_view& text) {
-    const std::size_t end = text.find_first_of("Zz+-");
-    std::string number(text.substr(0, end));
-    if (number.size() < 2 || number.find_first_not_of("0123456789.,") != number.npos)
+/// Seconds by which the zone at the end is before UTC.
+std::optional<double> zone_of(Reading& in) {
+    in.skip(' ');
+    if (in.at_end() || in.skip('Z') || in.skip('z'))
+        return 0;
+    const double sign = in.skip('+') ? 1 : in.skip('-') ? -1 : 0;
+    const auto hours = sign != 0 ? in.below(24) : std::nullopt;
+    if (!hours)
         return std::nullopt;
-    if (const std::size_t comma = number.find(','); comma != number.npos)
-        number[comma] = '.';
-    text.remove_prefix(number.size());
-    const auto seconds = parse_number(number);
-    return seconds && *seconds < 61 ? seconds : std::nullopt;
+    in.skip(':');
+    const int minutes = in.below(60).value_or(0);
+    return sign * (seconds_an_hour * *hours + seconds_a_minute * minutes);
 }
 
 } // namespace
 
 std::optional<double> parse_date_time(std::string_view cell) {
-    const bool has_date = cell.size() > 10 && cell[4] == '-';
-    const auto date = has_date ? take_date(cell) : std::optional(0.0);
-    const auto hours = date ? take(cell, 2, ':') : std::nullopt;
-    const auto minutes = hours ? take(cell, 2, ':') : std::nullopt;
-    const auto seconds = minutes ? take_seconds(cell) : std::nullopt;
-    if (!seconds || *hours > 24 || *minutes > 59)
+    const std::string_view text = trim(cell);
+    Reading in(text);
+    const auto date = date_of(in);
+    if (date && in.at_end())
+        return date;
+    if (!date)
+        in = Reading(text);
+    else if (!in.skip('T') && !in.skip('t') && !in.skip(' '))
         return std::nullopt;
-    // All times of a file have one zone: an offset changes no step.
-    return *date + 3600.0 * *hours + 60.0 * *minutes + *seconds;
+    const auto time = time_of_day(in);
+    const auto zone = time ? zone_of(in) : std::nullopt;
+    if (!zone || !in.at_end())
+        return std::nullopt;
+    return date.value_or(0) + *time - *zone;
 }
 
 } // namespace stltsa::clip

@@ -6,9 +6,9 @@
 
 namespace stltsa::clip {
 
-/// Seconds since 1970 of a date and a time as in ISO 8601, "2024-01-31 12:00:00.033" or
-/// "2024-01-31T12:00:00Z"; of a time alone, "12:00:00.033", seconds since midnight. Empty: it is
-/// none.
+/// Seconds since 1970 (UTC, unless the cell names no zone) of a date such as 2024-01-31,
+/// 2024-01-31 12:00:00.033 or 2024-01-31T12:00:00+01:00; seconds since midnight of a time of day
+/// such as 12:00:00.033. Empty if the cell is neither.
 std::optional<double> parse_date_time(std::string_view cell);
 
 } // namespace stltsa::clip

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "clip/csv/cells.hpp"
+#include "clip/csv/date_time.hpp"
 #include "clip/features/point_names.hpp"
 #include "clip/text/number.hpp"
 
@@ -159,7 +160,9 @@ class HeadReader {
     }
 
     static bool is_data(const Line& cells) {
-        const auto is_number = [](const std::string& cell) { return parse_cell(cell).has_value(); };
+        const auto is_number = [](const std::string& cell) {
+            return parse_cell(cell) || parse_date_time(cell);
+        };
         return std::ranges::any_of(cells, is_number) &&
                std::ranges::all_of(
                    cells, [&](const std::string& cell) { return is_gap(cell) || is_number(cell); });

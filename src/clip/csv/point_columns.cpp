@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <filesystem>
 #include <map>
 
@@ -87,13 +88,25 @@ class PointFinder {
         return true;
     }
 
+    /// Axes such as "Leg.rx", as tables of poses have them. An "ankle_rx" beside "ankle_lx" is the
+    /// right ankle.
+    bool is_rotation(const Point& point) const {
+        std::string name = to_lower(point.name);
+        if (point.is_set_apart || name.size() < 2 || name.back() != 'r' ||
+            std::isalnum(static_cast<unsigned char>(name[name.size() - 2])) != 0)
+            return false;
+        name.back() = 'l';
+        return !by_name_.contains(name);
+    }
+
     void sort_out() {
         for (Point& point : all_)
             if (point.space() == 0) {
                 for (const std::int64_t column : point.columns)
                     if (column != none)
                         found_.others.push_back(found_.names[static_cast<std::size_t>(column)]);
-            } else if (is_other_quantity(point.name) || is_other_unit(point.unit)) {
+            } else if (is_other_quantity(point.name) || is_other_unit(point.unit) ||
+                       is_rotation(point)) {
                 found_.quantities.push_back(std::move(point.name));
             } else {
                 found_.points.push_back(std::move(point));

@@ -12,6 +12,7 @@
 #include "clip/csv/headers.hpp"
 #include "clip/csv/point_columns.hpp"
 #include "clip/csv/subject_rows.hpp"
+#include "clip/csv/table.hpp"
 #include "clip/csv/time_column.hpp"
 #include "clip/text/number.hpp"
 #include "clip/text/text_cursor.hpp"
@@ -20,6 +21,10 @@ namespace stltsa::clip {
 namespace {
 
 using Cells = std::vector<std::string_view>;
+
+bool is_value(std::string_view cell) {
+    return parse_cell(cell) || parse_date_time(cell);
+}
 
 /// 0, 1, 2, ...: the names that pandas gives to unnamed columns.
 bool numbers_columns(std::span<const std::string_view> cells) {
@@ -40,7 +45,7 @@ bool is_header(const Cells& cells, const Cells& next) {
             return parse_cell(cell) && !parse_integer(cell);
         });
     return std::any_of(cells.begin(), cells.end(),
-                       [](std::string_view cell) { return !is_gap(cell) && !parse_cell(cell); });
+                       [](std::string_view cell) { return !is_gap(cell) && !is_value(cell); });
 }
 
 /// The next row that is not a comment.
@@ -48,6 +53,12 @@ std::string_view next_row(TextCursor& in) {
     std::string_view line = in.line();
     while (!line.empty() && trim(line)[0] == '#')
         line = in.line();
+    return line;
+}
+
+/// The first cell, a time or a number of a frame, is never empty.
+std::string_view without_indent(std::string_view line) {
+    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
     return line;
 }
 
@@ -69,6 +80,35 @@ class CsvReader {
         } else {
             one_header();
         }
+        set_values();
+    }
+
+    /// The names are given: the file has lines of its own before the rows.
+    void read(TableHead head) {
+        clip_.channel_names = std::move(head.names);
+        columns_ = clip_.channel_names.size();
+        may_end_early_ = head.may_end_early;
+        may_have_text_ = false;
+        std::string_view line = next_row(in_);
+        separator_ = find_separator(without_indent(line));
+        for (; !line.empty(); line = next_row(in_))
+            row(split(without_indent(line)));
+        if (short_rows_ > 0)
+            clip_.notes.push_back(
+                format_text("{} rows end early: what they lack is missing", short_rows_));
+        set_values();
+    }
+
+    TableFacts facts() const {
+        TableFacts facts{lines_, {}};
+        for (std::size_t c = 0; c < dated_.size(); ++c)
+            if (dated_[c])
+                facts.dated.push_back(static_cast<std::int64_t>(c));
+        return facts;
+    }
+
+  private:
+    void set_values() {
         if (rows_ == 0)
             in_.fail(Status::format, "the file has no rows of numbers");
         refuse_text_only();
@@ -78,11 +118,10 @@ class CsvReader {
             polls_.did(values.cols());
         }
         clip_.values = std::move(values);
-        take_rows_of_subject(clip_, subject_column_, subjects_, in_.name(), options_);
+        take_rows_of_subject(clip_, subject_column_, subjects_, lines_, in_.name(), options_);
         drop_text();
     }
 
-  private:
     /// Motion-BIDS: another file describes the columns.
     void described_rows() {
         clip_.channel_names = channel_names(options_.channels, options_.progress);
@@ -123,7 +162,7 @@ class CsvReader {
         for (; !line.empty(); line = next_row(in_)) {
             const Cells cells = split(line);
             const auto is_filled = [](std::string_view cell) { return !cell.empty(); };
-            if (!parse_cell(cells[0]) && std::ranges::count_if(cells, is_filled) == 1) {
+            if (!is_value(cells[0]) && std::ranges::count_if(cells, is_filled) == 1) {
                 clip_.notes.push_back(
                     format_text("the rows from {} on are not read", in_quotes(cells[0])));
                 return;
@@ -163,19 +202,37 @@ class CsvReader {
             cells.pop_back();
         if (columns_ == 0)
             columns_ = cells.size();
+        if (may_end_early_ && separator_ != ' ' && cells.size() < columns_) {
+            pad(cells);
+        }
         if (cells.size() != columns_ || columns_ == 0)
             in_.fail(Status::format, "{} cells, but {} {}", cells.size(),
                      said_by_.empty() ? "the previous lines have" : said_by_ + " describes",
                      columns_);
         contents_.resize(columns_);
+        dated_.resize(columns_);
         for (std::size_t c = 0; c < columns_; ++c)
             values_.push_back(number(cells[c], c));
+        lines_.push_back(in_.line_number());
         if (subject_column_)
             subjects_.push_back(is_gap(cells[*subject_column_]) ? std::string()
                                                                 : text_of(cells[*subject_column_]));
         ++rows_;
     }
 
+    /// Of a large table, most cells must be there: short rows below many names would take far more
+    /// memory than the file has bytes.
+    void pad(Cells& cells) {
+        constexpr std::size_t small = 1 << 20;
+        padded_ += columns_ - cells.size();
+        if (padded_ > small && 2 * padded_ > values_.size())
+            in_.fail(Status::format, "most cells are missing: {} of {} columns in this row",
+                     columns_ - cells.size(), columns_);
+        cells.resize(columns_);
+        ++short_rows_;
+    }
+
+    /// Seconds, if the cell is a date.
     double number(std::string_view cell, std::size_t c) {
         const auto value = parse_cell(cell);
         if ((!value || !std::isfinite(*value)) && is_gap(cell)) // "nan" is both
@@ -202,11 +259,10 @@ class CsvReader {
         const bool is_number = contents_[c].kind == Content::Kind::number;
         if (const auto seconds = parse_date_time(cell)) {
             contents_[c].kind = Content::Kind::number;
-            if (!is_number && !clip_.channel_names.empty())
-                clip_.channel_names[c] = "time (s)";
+            dated_[c] = true;
             return *seconds;
         }
-        if (is_number || clip_.channel_names.empty())
+        if (is_number || clip_.channel_names.empty() || !may_have_text_)
             refuse({Content::Kind::text, in_.line_number(), std::string(cell)}, c);
         if (contents_[c].kind == Content::Kind::nothing)
             contents_[c] = {Content::Kind::text, in_.line_number(), std::string(cell)};
@@ -242,6 +298,9 @@ class CsvReader {
         if (names.empty())
             return;
         keep_columns(clip_, kept, options_.progress);
+        for (std::size_t c = 0; c < kept.size(); ++c)
+            dated_[c] = dated_[static_cast<std::size_t>(kept[c])];
+        dated_.resize(kept.size());
         clip_.notes.push_back("columns of text, left out: " + names);
     }
 
@@ -259,20 +318,32 @@ class CsvReader {
     std::size_t columns_ = 0;
     std::int64_t rows_ = 0;
     std::vector<double> values_;
+    std::vector<std::int64_t> lines_; ///< of the rows
     std::vector<Content> contents_;
-    std::string said_by_; ///< the file that describes the columns
+    std::vector<bool> dated_; ///< columns that have dates
+    std::string said_by_;     ///< the file that describes the columns
     std::optional<std::size_t> subject_column_;
     std::vector<std::string> subjects_; ///< of the rows
+    bool may_end_early_ = false;
+    bool may_have_text_ = true; ///< columns of text
+    std::size_t padded_ = 0; ///< cells that rows lack at their end
+    std::int64_t short_rows_ = 0;
 };
 
 } // namespace
+
+TableFacts read_rows(TextCursor& in, Clip& clip, TableHead head, const ReadOptions& options) {
+    CsvReader reader(in, clip, options);
+    reader.read(std::move(head));
+    return reader.facts();
+}
 
 Clip parse_csv(std::string_view bytes, const std::string& name, const ReadOptions& options) {
     TextCursor in(bytes, name, options.progress);
     Clip clip;
     CsvReader reader(in, clip, options);
     reader.read();
-    extract_time(clip, name, options);
+    extract_time(clip, reader.facts(), name, options);
     take_points(clip, name, options);
     return clip;
 }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
 #include "clip/csv/cells.hpp"
@@ -12,9 +11,6 @@
 
 namespace stltsa::clip {
 namespace {
-
-/// More rows than this share of those given are not made up.
-constexpr std::int64_t most_missing = 1;
 
 bool is_any(std::string_view name, std::initializer_list<std::string_view> words) {
     return std::ranges::any_of(
@@ -29,13 +25,13 @@ std::optional<std::int64_t> frame_column(const Clip& clip) {
     return std::nullopt;
 }
 
-/// Whether two rows have one frame number.
-bool repeats(const Matrix& values, std::int64_t column) {
+/// A frame number that two rows have.
+std::optional<double> repeated(const Matrix& values, std::int64_t column) {
     std::set<double> seen;
     for (std::int64_t i = 0; i < values.rows(); ++i)
         if (!std::isnan(values(i, column)) && !seen.insert(values(i, column)).second)
-            return true;
-    return false;
+            return values(i, column);
+    return std::nullopt;
 }
 
 std::vector<std::string> distinct(const std::vector<std::string>& all) {
@@ -47,49 +43,22 @@ std::vector<std::string> distinct(const std::vector<std::string>& all) {
     return names;
 }
 
-/// The rows at their frames; a frame without a row has its number and no other values.
-Matrix spread(Matrix& rows, std::int64_t column, const std::string& file) {
-    const std::int64_t last = rows.rows() - 1;
-    for (std::int64_t i = 0; i <= last; ++i) {
-        const double frame = rows(i, column), before = i > 0 ? rows(i - 1, column) : frame - 1;
-        if (frame == before)
-            fail(Status::format,
-                 "{}: several rows of one subject are of frame {:g}: expected one row for each "
-                 "frame, with all points",
-                 file, frame);
-        if (!(frame > before) || frame != std::floor(frame))
-            return std::move(rows); // no frame numbers
-    }
-    const double count = rows(last, column) - rows(0, column) + 1;
-    if (!(count <= static_cast<double>((1 + most_missing) * rows.rows())))
-        fail(Status::format,
-             "{}: frames {:g} to {:g} have {} rows of this subject: more frames are missing than "
-             "there are; cut the recording at its breaks",
-             file, rows(0, column), rows(last, column), rows.rows());
-    Matrix all(static_cast<std::int64_t>(count), rows.cols());
-    std::int64_t next = 0;
-    for (std::int64_t i = 0; i < all.rows(); ++i) {
-        const double frame = rows(0, column) + static_cast<double>(i);
-        if (rows(next, column) == frame)
-            std::copy_n(rows.row(next++), rows.cols(), all.row(i));
-        else
-            std::fill_n(all.row(i), rows.cols(), std::numeric_limits<double>::quiet_NaN());
-        all(i, column) = frame;
-    }
-    return all;
-}
-
-void keep_rows(Clip& clip, const std::vector<std::string>& subjects, const std::string& file,
+void keep_rows(Clip& clip, const std::vector<std::string>& subjects,
+               std::vector<std::int64_t>& lines, const std::string& file,
                const ReadOptions& options) {
     const std::vector<std::string> names = distinct(subjects);
     clip.subject = one_subject(names, options.subject, file);
     if (std::string note = subject_note(names, clip.subject); !note.empty())
         clip.notes.push_back(std::move(note));
     Matrix rows = Matrix::unset(std::ranges::count(subjects, clip.subject), clip.values.cols());
-    for (std::int64_t i = 0, next = 0; i < clip.values.rows(); ++i)
-        if (subjects[static_cast<std::size_t>(i)] == clip.subject)
-            std::copy_n(clip.values.row(i), rows.cols(), rows.row(next++));
+    std::vector<std::int64_t> kept;
+    for (std::int64_t i = 0; i < clip.values.rows(); ++i)
+        if (subjects[static_cast<std::size_t>(i)] == clip.subject) {
+            std::copy_n(clip.values.row(i), rows.cols(), rows.row(std::ssize(kept)));
+            kept.push_back(lines[static_cast<std::size_t>(i)]);
+        }
     clip.values = std::move(rows);
+    lines.swap(kept);
 }
 
 } // namespace
@@ -101,22 +70,21 @@ bool names_subject(std::string_view column) {
 }
 
 void take_rows_of_subject(Clip& clip, std::optional<std::size_t> column,
-                          const std::vector<std::string>& subjects, const std::string& file,
+                          const std::vector<std::string>& subjects,
+                          std::vector<std::int64_t>& lines, const std::string& file,
                           const ReadOptions& options) {
     if (!column)
         return;
     const auto frames = frame_column(clip);
     const bool has_names = std::ranges::any_of(
         subjects, [](const std::string& name) { return !name.empty() && !parse_cell(name); });
-    if (has_names || (frames && repeats(clip.values, *frames)))
-        keep_rows(clip, subjects, file, options);
-    if (!frames)
-        return;
-    const std::int64_t count = clip.values.rows();
-    clip.values = spread(clip.values, *frames, file);
-    if (const std::int64_t missing = clip.values.rows() - count; missing > 0)
-        clip.notes.push_back(format_text("frames without a row, taken as missing: {} of {}",
-                                         missing, clip.values.rows()));
+    if (has_names || (frames && repeated(clip.values, *frames)))
+        keep_rows(clip, subjects, lines, file, options);
+    if (const auto frame = frames ? repeated(clip.values, *frames) : std::nullopt)
+        fail(Status::format,
+             "{}: several rows of one subject are of frame {:g}: expected one row for each frame, "
+             "with all points",
+             file, *frame);
 }
 
 } // namespace stltsa::clip

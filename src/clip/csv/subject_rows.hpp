@@ -2,6 +2,7 @@
 // Tables with a row for each frame of each subject, as SLEAP writes them.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,11 +15,12 @@ namespace stltsa::clip {
 /// Whether a column has the subject of each row: "track", "individual", "subject", ...
 bool names_subject(std::string_view column);
 
-/// Keeps the rows of one subject, by the text of the column for each row, if the column has
-/// names or if rows repeat a frame number; frames between them that have no row are missing. Throws
-/// if several rows of the subject are of one frame, and as one_subject.
+/// Keeps the rows of one subject, and their lines, by the text of the column for each row, if the
+/// column has names or if rows repeat a frame number. Throws if several rows of the subject are of
+/// one frame, and as one_subject.
 void take_rows_of_subject(Clip& clip, std::optional<std::size_t> column,
-                          const std::vector<std::string>& subjects, const std::string& file,
+                          const std::vector<std::string>& subjects,
+                          std::vector<std::int64_t>& lines, const std::string& file,
                           const ReadOptions& options);
 
 } // namespace stltsa::clip

@@ -2,15 +2,22 @@
 #pragma once
 
 #include "clip/clip.hpp"
+#include "clip/csv/table.hpp"
 
 namespace stltsa::clip {
 
-/// Removes columns of times and frame numbers, which are not channels, by their names:
-/// - "time", "t", "time (ms)" and the like, if increasing: gives fps. Rows at uneven
-///   steps are resampled unless option fps is set. A column that gives an implausible rate is not
-///   time.
-/// - "frame", "index" and the like, or a first column without a name, if it counts by one.
-/// Notes say which columns are removed, and which are kept despite their names.
-void extract_time(Clip& clip, const std::string& name, const ReadOptions& options);
+/// The one rule of time of all text formats. Removes the columns of times and of counted frames,
+/// which are not channels, and sets fps; clip.fps as given is what the lines before the table say.
+/// - The clock is the first column that is named as time, or else has dates. Its unit is that of
+///   its name, or follows from its size: seconds, or milli-, micro- or nanoseconds.
+/// - "frame", "packet counter" and the like, and a first column without a name, count the rows if
+///   they increase by whole numbers; "sub frame" counts within a frame.
+/// - Rows that are missing by the clock or the count are NaN; rows at uneven times are resampled,
+///   unless option fps is set, which makes the rows even.
+/// - If the clock contradicts what is said elsewhere, the clock is used.
+/// Notes say which columns are removed, and what was assumed. Fails, at the line, if time goes back
+/// or is missing, unless option fps is set.
+void extract_time(Clip& clip, const TableFacts& facts, const std::string& name,
+                  const ReadOptions& options);
 
 } // namespace stltsa::clip

@@ -8,6 +8,8 @@
 #include <limits>
 
 #include "clip/clip.hpp"
+#include "clip/features/jump.hpp"
+#include "clip/text/number.hpp"
 
 namespace stltsa::clip {
 namespace {
@@ -118,6 +120,11 @@ Clip parse_npy(std::string_view bytes, const std::string& name, const ReadOption
     clip.values = converted(header, data.data(), shape, polls);
     clip.space = shape.space;
     check_finite(clip.values, name, polls);
+    if (const std::int64_t jump = find_jump(clip.values.view()); jump > 0)
+        clip.notes.push_back(format_text(
+            "the numbers jump at frame {}: if frames were lost there, insert them as NaN, or save "
+            "points with their times, which an NPY file does not have",
+            jump));
     return clip;
 }
 

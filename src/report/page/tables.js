@@ -114,7 +114,7 @@ const { name: clipName, pieces, flags } = data.source; // the clip may be a stre
 const cut = pieces.length > 0;
 const clipWord = () => argumentWord(clipName || "CLIP");
 // Only Python reads these formats.
-const foreign = /\.(trc|mot|sto|npz)$/i.test(clip.path || "");
+const foreign = /\.(npz)$/i.test(clip.path || "");
 // Frames of the clip as stretches of its file.
 function stretchWords(begin, end) {
   if (begin <= 0 && end >= frames) return clipWord();

@@ -170,6 +170,19 @@ void broken_headers(void**) {
         REFUSES(header(text) + numbers("<f8", six), format, "not a dict");
 }
 
+/// A sine of which 30 rows are left out, or none.
+void rows_that_were_lost(void**) {
+    for (const int lost : {0, 30}) {
+        std::vector<double> values;
+        for (int i = 0; i < 200; ++i)
+            values.push_back(std::sin(0.1 * (i < 100 ? i : i + lost)));
+        const Clip clip = npy(header(dict("<f8", "False", "(200,)")) + numbers("<f8", values));
+        assert_int_equal(clip.notes.size(), lost > 0 ? 1 : 0);
+        if (lost > 0)
+            assert_non_null(std::strstr(clip.notes[0].c_str(), "the numbers jump at frame 100"));
+    }
+}
+
 void not_finite(void**) {
     std::vector<double> values = six;
     values[4] = std::numeric_limits<double>::quiet_NaN(); // a gap
@@ -194,6 +207,7 @@ int main() {
         cmocka_unit_test(sizes_that_do_not_fit),
         cmocka_unit_test(broken_headers),
         cmocka_unit_test(three_dimensions_are_points),
+        cmocka_unit_test(rows_that_were_lost),
         cmocka_unit_test(not_finite),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);

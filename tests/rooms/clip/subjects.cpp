@@ -87,8 +87,6 @@ void rows_of_tracks(void**) {
 void rows_that_are_not_frames(void**) {
     ASSERT_FAILS(Status::format, "several rows of one subject are of frame 5",
                  csv("track,frame,p_x,p_y\na,5,1,2\na,5,3,4\na,6,1,2\n"));
-    ASSERT_FAILS(Status::format, "frames 0 to 1e+12 have 2 rows of this subject",
-                 csv("track,frame,p_x,p_y\na,0,1,2\na,1e12,3,4\n"));
     const Clip uncounted = csv("track,frame,p_x,p_y\na,0.5,1,2\na,0.7,3,4\n");
     assert_int_equal(uncounted.frames(), 2);
 }
@@ -114,7 +112,7 @@ void dates_are_times(void**) {
         const Clip clip = csv(text);
         assert_true(clip.fps == 2 && clip.values.cols() == 2 && clip.values(1, 1) == 4);
     }
-    for (const char* text : {"2024-13-01 10:00:00", "2024-01-01", "10:61:00", "2024-01-01 10:00"})
+    for (const char* text : {"2024-13-01 10:00:00", "10:61:00", "2024-01-01T"})
         assert_true(csv(std::string("a,b\n1,") + text + "\n2," + text + "\n").values.cols() == 1);
 }
 

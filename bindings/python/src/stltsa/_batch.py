@@ -19,6 +19,7 @@ from ._options import option_named
 from ._progress import reporter
 from ._tables import table
 from ._text import csv_text
+from .clip import read_clip
 from .decomposition import decompose
 from .errors import StltsaError
 from .readers import READERS, extra
@@ -31,7 +32,10 @@ if TYPE_CHECKING:
 
     from ._options import Options
 
-_SUFFIXES = (".bvh", ".amc", ".csv", ".tsv", ".npy", ".c3d", *READERS)
+_SUFFIXES = (
+    *(".bvh", ".amc", ".csv", ".tsv", ".npy", ".c3d", ".trc", ".mot", ".sto"),
+    *READERS,
+)
 # Frames per second that convert lengths in seconds into frames.
 _ANY_RATE = 100.0
 _SUMMARY = re.compile(r"summary[-0-9]*\.csv")
@@ -112,7 +116,7 @@ def batch(
         ``(i, n)`` or ``"i/n"``: every n-th clip from the i-th on, counted from 1; the summary is
         ``summary-i-n.csv``.
     **options
-        As for :func:`stltsa.decompose`.
+        As for :func:`stltsa.decompose`; `fps` is for clips whose files have no rate.
 
     Returns
     -------
@@ -230,8 +234,7 @@ def _one(path: str, result: str, options: Mapping[str, Any]) -> BatchRow:
         before = kept(place, origin)
         if before is not None:
             return _row(path, before, is_kept=True)
-        used: Any = {**options, "threads": 1}
-        text = decompose(path, **used).to_json()
+        text = _decomposed(path, {**options, "threads": 1})
         write_text(place, with_origin(text[:-1], origin))
         return _row(path, json.loads(text), is_kept=False)
     except StltsaError as error:
@@ -240,6 +243,18 @@ def _one(path: str, result: str, options: Mapping[str, Any]) -> BatchRow:
         return _failed(path, "STLTSA_E_IO", f"{error.filename or path}: {error.strerror}")
     except (ImportError, ValueError, TypeError) as error:
         return _failed(path, type(error).__name__, error)
+
+
+def _decomposed(path: str, options: dict[str, Any]) -> str:
+    """Return the JSON of a decomposition; `fps` is for files that have no rate."""
+    fps = options.pop("fps", None)
+    used = ("skeleton", "individual", "least_confidence")
+    reading: Any = {k: v for k, v in options.items() if k in used}
+    clip = read_clip(path, **reading)
+    if fps not in (None, "auto") and not clip.fps:
+        clip = read_clip(path, fps=fps, **reading)
+    options.pop("individual", None)
+    return decompose(clip, **options).to_json()
 
 
 def _number(value: Any) -> float:

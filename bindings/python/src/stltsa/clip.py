@@ -407,7 +407,7 @@ class Clip(Described):
 
 
 def read_clip(path: str | os.PathLike[str], **options: Unpack[Options]) -> Clip:
-    """Read a clip: BVH, ASF/AMC, CSV, NPY, C3D; by other readers TRC, MOT, STO, AMASS ``npz``.
+    """Read a clip: BVH, ASF/AMC, CSV, NPY, C3D, TRC, MOT, STO; by another reader AMASS ``npz``.
 
     Parameters
     ----------
@@ -416,8 +416,8 @@ def read_clip(path: str | os.PathLike[str], **options: Unpack[Options]) -> Clip:
         in its folder by subject number; the option `skeleton` names another one. A stretch of the
         clip may follow, as in ``"walk.bvh:2.5s-9s"``: see :meth:`Clip.stretch`.
     **options
-        Used: `fps` (overrides the file), `skeleton`, `individual` (one of several people or
-        animals in the file), `least_confidence`, `progress`.
+        Used: `fps` (replaces the rate of the file, with a note), `skeleton`, `individual` (one of
+        several people or animals in the file), `least_confidence`, `progress`.
 
     Returns
     -------

@@ -855,6 +855,8 @@ pub const STLTSA_FORMAT_POINTS: i32 = 6;
 pub const STLTSA_FORMAT_SKELETON: i32 = 7;
 pub const STLTSA_FORMAT_GLB: i32 = 8;
 pub const STLTSA_FORMAT_C3D: i32 = 9;
+pub const STLTSA_FORMAT_TRC: i32 = 10;
+pub const STLTSA_FORMAT_MOT: i32 = 11;
 extern "C" {
     pub fn stltsa_clip_open(
         path: *const ::std::os::raw::c_char,

@@ -4,7 +4,6 @@
 ================ =================================================== ==========================
  module           data                                                needs
 ================ =================================================== ==========================
- ``opensim``      TRC, MOT and STO files                              ``stltsa[trc]`` (pandas)
  ``amass``        AMASS ``npz`` files: rotations of a SMPL skeleton   nothing more
  ``movement``     datasets of `movement`: SLEAP, DeepLabCut,          ``stltsa[movement]``
                   LightningPose, Anipose, NWB, ...
@@ -27,7 +26,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 # The module that reads a suffix.
-READERS = {".trc": "opensim", ".mot": "opensim", ".sto": "opensim", ".npz": "amass"}
+READERS = {".npz": "amass"}
 
 
 def is_dataset(value: object) -> bool:

@@ -36,8 +36,9 @@ kinds! {
         UpAxis = STLTSA_OPT_UP_AXIS,
         /// `int`: 1: do not drop a T-pose at the start.
         KeepStart = STLTSA_OPT_KEEP_START,
-        /// `real`: frames a second, instead of the file's rate; auto: the file's. unmap_clip:
-        /// points a second; auto: the model's rows.
+        /// `real`: frames a second, for files that have no rate; of others it replaces the rate and
+        /// the times, and a note says so; auto: the file's. unmap_clip: points a second; auto: the
+        /// model's rows.
         Fps = STLTSA_OPT_FPS,
         /// `real`: clips: keep one frame in fps / sample_rate, rounded; 0: all.
         SampleRate = STLTSA_OPT_SAMPLE_RATE,
@@ -162,8 +163,12 @@ kinds! {
         Skeleton = STLTSA_FORMAT_SKELETON,
         /// GlTF 2.0, binary: only written.
         Glb = STLTSA_FORMAT_GLB,
-        /// Points and events, of any processor; only read.
+        /// Points and events, of any processor: only read.
         C3d = STLTSA_FORMAT_C3D,
+        /// Markers, as OpenSim reads them: only read. y is up, by convention.
+        Trc = STLTSA_FORMAT_TRC,
+        /// MOT and STO of OpenSim, joint coordinates and the like: only read.
+        Mot = STLTSA_FORMAT_MOT,
     }
     /// Stages that a progress closure sees; a call has some of them.
     Stage {

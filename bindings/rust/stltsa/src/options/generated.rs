@@ -75,7 +75,8 @@ impl Options {
         self.with(sys::STLTSA_OPT_KEEP_START, Value::Int(value.into()))
     }
 
-    /// Frames per second, instead of the file's rate; unmap: points per second; auto: the file's
+    /// Frames per second, for files that have no rate; of others it replaces the rate and the
+    /// times, and a note says so (batch: it does not); unmap: points per second; auto: the file's
     /// rate, or the model's.
     #[must_use]
     pub fn fps(self, value: f64) -> Self {

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the name of a column says about time.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace stltsa::clip {
+
+/// A column that is named as time.
+struct TimeName {
+    double unit = 0;     ///< seconds; 0: the name does not say
+    bool letter = false; ///< named t only, which may be a torque, too
+};
+
+/// Only whole names count, with a unit or without: "time", "Time (ms)", "timestamp_us", "t[s]"; not
+/// "T10" or "t_2", which are markers.
+std::optional<TimeName> time_name(std::string_view column);
+
+/// "frame", "Frame#", "packet counter", "sample_index" and the like.
+bool is_counter_name(std::string_view column);
+
+/// The number of a row within its frame: "Sub Frame".
+bool is_subframe_name(std::string_view column);
+
+} // namespace stltsa::clip
