@@ -230,12 +230,14 @@ enum {
 };
 
 /* What is done about missing values, of points or of the columns of a matrix. A point or column
- * that is missing in more than half of the frames is left out (its features are 0). While more than
- * half of the points, or columns, are missing for longer than 0.25 s, nothing is known: no segment,
- * unit, cycle or repetition continues over these frames. Notes say what was done. */
+ * that is missing in more than half of the frames is left out (its features are 0); only frames with
+ * at least a third of the usual number of points, or columns, count. While more than half of the
+ * others are missing for longer than 0.25 s, nothing is known: these frames are a rest with the
+ * reason "nothing recorded", and those at an end of the clip have no samples. Notes say what was
+ * done. */
 enum {
-    STLTSA_GAPS_FILL = 1,   /* gaps up to 0.25 s between two frames of the clip: linearly over time;
-                               others: as skip */
+    STLTSA_GAPS_FILL = 1,   /* gaps up to 0.25 s between two frames of the clip: linearly over time,
+                               points relative to the path of the body; others: as skip */
     STLTSA_GAPS_REFUSE = 2, /* E_NOT_FINITE */
     STLTSA_GAPS_SKIP = 3    /* what the points that are there imply (conditional mean), so that
                                distances are those of what both frames have */
@@ -777,11 +779,11 @@ STLTSA_API stltsa_status stltsa_fit(const stltsa_in *frames, const stltsa_in *le
                                     const stltsa_options *options,
                                     stltsa_model **model) STLTSA_NOEXCEPT;
 
-/* The same from the features of a clip, without a T-pose at its start, smoothed and (option
- * sample_rate) decimated. Row i of the model is source frame
- * STLTSA_INFO_FIRST_FRAME + i * STLTSA_INFO_FRAME_STEP. Temporal neighbors do not cross a break
- * (stretches that were joined, as in "walk.bvh:A") nor the middle of a gap that is too long to
- * fill; a note says where. E_TOO_FEW_FRAMES: too few frames between two of them. */
+/* The same from the features of a clip, without a T-pose at its start and without the frames before
+ * the body is recorded and after it has left, smoothed and (option sample_rate) decimated. Row i of
+ * the model is source frame STLTSA_INFO_FIRST_FRAME + i * STLTSA_INFO_FRAME_STEP. Temporal neighbors
+ * do not cross a break (stretches that were joined, as in "walk.bvh:A") nor the middle of a gap that
+ * is too long to fill; a note says where. E_TOO_FEW_FRAMES: too few frames between two of them. */
 STLTSA_API stltsa_status stltsa_fit_clip(const stltsa_clip *clip, const stltsa_options *options,
                                          stltsa_model **model) STLTSA_NOEXCEPT;
 
@@ -986,7 +988,8 @@ stltsa_decomposition_segment_count(const stltsa_decomposition *decomposition) ST
 STLTSA_API stltsa_status stltsa_decomposition_segment(const stltsa_decomposition *decomposition,
                                                       int64_t index,
                                                       stltsa_segment *segment) STLTSA_NOEXCEPT;
-/* Why a segment has no cycles, with the numbers; "" if it has, and for an index out of range. */
+/* Why a segment has no cycles, with the numbers; "" if it has, and for an index out of range. Of a
+ * rest: "nothing recorded" if most of the body is missing, so that nobody knows whether it rests. */
 STLTSA_API const char *
 stltsa_decomposition_segment_reason(const stltsa_decomposition *decomposition,
                                     int64_t index) STLTSA_NOEXCEPT;

@@ -4,14 +4,18 @@
  * Prints one line for each function: name, its seconds, the longest time between two calls in
  * seconds, and the stage and fraction of the later call (-1: the function's return).
  *
- *     poll_times FRAMES COLUMNS FPS [FILE.csv [all]]
+ *     poll_times FRAMES COLUMNS FPS [FILE.csv [all] | gaps]
  *
  * With FILE.csv, which is written, read and removed, also functions that would need more memory for
  * a million columns than most machines have; with "all", also those that take longest.
+ * With "gaps", columns are coordinates of points, and each point is missing for a fifth of the
+ * time.
  */
 #define _POSIX_C_SOURCE 200809L
 #include "motion.h"
 #include "timing.h"
+
+#include <string.h>
 
 struct gap {
     double last, longest, fraction;
@@ -200,6 +204,20 @@ static void report(const stltsa_clip* clip, const stltsa_decomposition* made, co
     remove(path);
 }
 
+/* Points of three columns, of which each is missing for a fifth of the time. */
+static stltsa_clip* points_with_gaps(double* x, int64_t frames, int64_t columns, double fps) {
+    const int64_t length = frames / 5;
+    for (int64_t c = 0; c < columns; ++c)
+        for (int64_t i = 0, begin = c / 3 * 7919 % (frames - length); i < length; ++i)
+            x[(begin + i) * columns + c] = NAN;
+    stltsa_points points = {.size = sizeof points, .space = 3, .fps = fps};
+    const stltsa_in in = {x, frames, columns, 0, 0, STLTSA_F64, 0};
+    points.positions = in;
+    stltsa_clip* clip = NULL;
+    check(stltsa_clip_from_points(&points, NULL, &clip));
+    return clip;
+}
+
 int main(int argc, char** argv) {
     stltsa_clip* clip = NULL;
     stltsa_options* options = NULL;
@@ -207,13 +225,17 @@ int main(int argc, char** argv) {
     stltsa_phase* phase = NULL;
     stltsa_model* model = NULL;
     if (argc < 4 || argc > 6) {
-        fprintf(stderr, "usage: poll_times FRAMES COLUMNS FPS [FILE.csv [all]]\n");
+        fprintf(stderr, "usage: poll_times FRAMES COLUMNS FPS [FILE.csv [all] | gaps]\n");
         return 2;
     }
     const int64_t frames = atoll(argv[1]), columns = atoll(argv[2]);
     double* x = swinging(frames, columns, atof(argv[3]));
     const stltsa_in in = {x, frames, columns, 0, 0, STLTSA_F64, 0};
-    check(stltsa_clip_from_matrix(&in, atof(argv[3]), &clip));
+    const int gaps = argc > 4 && strcmp(argv[4], "gaps") == 0;
+    if (gaps)
+        clip = points_with_gaps(x, frames, columns, atof(argv[3]));
+    else
+        check(stltsa_clip_from_matrix(&in, atof(argv[3]), &clip));
     check(stltsa_options_new(&options));
     check(stltsa_options_set_progress(options, called, &gap));
 
@@ -226,7 +248,7 @@ int main(int argc, char** argv) {
     }
     begin = start();
     finish("stltsa_fit_clip", begin, stltsa_fit_clip(clip, options, &model));
-    if (argc > 4) {
+    if (argc > 4 && !gaps) {
         stltsa_phase* again = NULL;
         check(stltsa_phase_find(made, NULL, &again));
         compare_and_find_events(phase, again, (double)frames / 2, options);

@@ -72,8 +72,8 @@ std::vector<Column> columns_of(const clip::Clip& clip, clip::Features kind,
     return columns;
 }
 
-/// Sets values that are predicted in long gaps, and columns that are left out, to NaN, because
-/// curves show only recorded values.
+/// Sets values that are predicted in long gaps, frames without the body, and columns that are left
+/// out to NaN, because curves show only recorded values.
 void leave_out_gaps(const clip::Clip& clip, std::int64_t width, Matrix& rows) {
     Matrix filled = copied(clip.values.view());
     const clip::Gaps gaps =
@@ -83,7 +83,10 @@ void leave_out_gaps(const clip::Clip& clip, std::int64_t width, Matrix& rows) {
     };
     for (const clip::Gap& gap : gaps.predicted)
         for (std::int64_t frame = gap.begin; frame < gap.end; ++frame)
-            clear(frame, gap.group);
+            clear(gaps.kept.begin + frame, gap.group);
+    for (const clip::Frames& hole : gaps.holes)
+        for (std::int64_t frame = hole.begin; frame < hole.end; ++frame)
+            std::fill_n(rows.row(frame), rows.cols(), none);
     for (const std::int64_t group : gaps.dropped)
         for (std::int64_t frame = 0; frame < rows.rows(); ++frame)
             clear(frame, group);

@@ -28,7 +28,16 @@ constexpr std::size_t most_carriers = 8;
 /// Maps positions among the working samples to the source file.
 class SourceFrames {
   public:
-    SourceFrames(const Source& source) : samples_(source.samples), clip_(source.clips.front()) {}
+    SourceFrames(const Source& source, const std::vector<clip::Frames>& holes)
+        : samples_(source.samples), clip_(source.clips.front()), recorded_{0, clip_.frames} {
+        if (!holes.empty() && holes.front().begin == 0)
+            recorded_.begin = holes.front().end;
+        if (!holes.empty() && holes.back().end == clip_.frames)
+            recorded_.end = holes.back().begin;
+    }
+
+    /// Without the frames before the body comes and after it has left.
+    const clip::Frames& recorded() const { return recorded_; }
 
     template <class To>
     void set(double begin, double end, To& to) const {
@@ -39,16 +48,26 @@ class SourceFrames {
         to.end_s = last / clip_.fps;
     }
 
-    /// Extends the first one to the start of the file and the last one to its end: dropped frames
-    /// belong to the first, frames after the last sample to the last.
+    /// Extends the first one to the first frame recorded and the last one to the last: a T-pose
+    /// belongs to the first, frames after the last sample to the last.
     template <class To>
-    void cover_file(std::vector<To>& intervals) const {
+    void cover_recorded(std::vector<To>& intervals) const {
         if (intervals.empty())
             return;
-        intervals.front().begin = 0;
-        intervals.front().begin_s = 0;
-        intervals.back().end = clip_.frames;
-        intervals.back().end_s = static_cast<double>(clip_.frames) / clip_.fps;
+        intervals.front().begin = recorded_.begin;
+        intervals.front().begin_s = static_cast<double>(recorded_.begin) / clip_.fps;
+        intervals.back().end = recorded_.end;
+        intervals.back().end_s = static_cast<double>(recorded_.end) / clip_.fps;
+    }
+
+    template <class To>
+    To interval(const clip::Frames& frames) const {
+        To made{};
+        made.begin = frames.begin;
+        made.end = frames.end;
+        made.begin_s = static_cast<double>(frames.begin) / clip_.fps;
+        made.end_s = static_cast<double>(frames.end) / clip_.fps;
+        return made;
     }
 
     double seconds(double samples) const {
@@ -58,13 +77,14 @@ class SourceFrames {
   private:
     /// Several frames may follow the last sample, or none.
     double frame(double sample) const {
-        return std::min(static_cast<double>(clip_.frames),
+        return std::min(static_cast<double>(recorded_.end),
                         static_cast<double>(samples_.first) +
                             sample * static_cast<double>(samples_.step));
     }
 
     const SampleFacts& samples_;
     const ClipFacts& clip_;
+    clip::Frames recorded_;
 };
 
 void set_messages(const ClipSamples& prepared, motion::Options& options) {
@@ -85,8 +105,10 @@ std::vector<stltsa_interval> units_of(const Recording& found, const SourceFrames
         frames.set(unit.begin, unit.end, next);
         next.kind = static_cast<int32_t>(unit.kind);
         next.segment = static_cast<int32_t>(unit.segment);
-        next.begin = units.empty() ? 0 : units.back().end;
-        next.begin_s = units.empty() ? 0 : units.back().end_s;
+        if (!units.empty()) {
+            next.begin = units.back().end;
+            next.begin_s = units.back().end_s;
+        }
         if (next.end <= next.begin) {
             if (!units.empty() && units.back().segment == next.segment)
                 units.back().end_s = next.end_s;
@@ -100,7 +122,7 @@ std::vector<stltsa_interval> units_of(const Recording& found, const SourceFrames
             units.push_back(next);
         }
     }
-    frames.cover_file(units);
+    frames.cover_recorded(units);
     return units;
 }
 
@@ -180,11 +202,11 @@ void set_parts(const Recording& found, const SourceFrames& frames, Decomposed& m
     }
 }
 
-void set_travels(const clip::Clip& clip, Decomposed& made) {
+void set_travels(const clip::Clip& clip, const std::function<void()>& poll, Decomposed& made) {
     const SampleFacts& samples = made.source.samples;
     const bool points = !clip.skeleton && samples.features == clip::Features::points;
     const clip::Course course(clip, points ? samples.up : default_up(clip),
-                              points ? clip::point_columns(clip) : 0);
+                              points ? clip::point_columns(clip) : 0, poll);
     const auto travels_of = [&](const std::vector<stltsa_part>& parts) {
         std::vector<stltsa_travel> travels;
         for (const stltsa_part& part : parts) {
@@ -198,6 +220,44 @@ void set_travels(const clip::Clip& clip, Decomposed& made) {
     made.cycle_travels = travels_of(made.cycle_parts);
     made.step_travels = travels_of(made.steps);
     made.repetition_travels = travels_of(made.repetitions);
+}
+
+/// The frames before the body comes and after it has left are rests with this reason.
+void add_unrecorded(const SourceFrames& frames, Decomposed& made) {
+    const auto add = [&](const clip::Frames& absent, std::int32_t unit_kind, bool first) {
+        if (absent.count() == 0)
+            return;
+        auto segment = frames.interval<stltsa_segment>(absent);
+        segment.kind = STLTSA_SEGMENT_REST;
+        segment.label = -1;
+        segment.confidence = 1;
+        segment.likeness = none;
+        segment.begin_confidence = first ? none : 1;
+        auto unit = frames.interval<stltsa_interval>(absent);
+        unit.kind = unit_kind;
+        unit.segment = first ? 0 : static_cast<std::int32_t>(made.segments.size());
+        const auto at = [first](auto& all) { return first ? all.begin() : all.end(); };
+        made.segments.insert(at(made.segments), segment);
+        made.units.insert(at(made.units), unit);
+        made.carriers.insert(at(made.carriers), std::vector<std::string>());
+        made.reasons.insert(at(made.reasons), std::string(motion::nothing_recorded));
+        made.halves.insert(at(made.halves), motion::Halves());
+    };
+    const clip::Frames& recorded = frames.recorded();
+    if (recorded.begin > 0) {
+        made.segments.front().begin_confidence = 1;
+        const auto shift = [](auto& all) {
+            for (auto& each : all)
+                ++each.segment;
+        };
+        shift(made.units);
+        shift(made.cycles);
+        shift(made.cycle_parts);
+        shift(made.steps);
+        shift(made.repetitions);
+    }
+    add({0, recorded.begin}, STLTSA_UNIT_PREPARING, true);
+    add({recorded.end, made.source.clips.front().frames}, STLTSA_UNIT_WIND_UP, false);
 }
 
 double period_of_longest(const std::vector<stltsa_segment>& segments) {
@@ -273,7 +333,7 @@ std::vector<motion::Hole> holes_of(const ClipSamples& prepared) {
     };
     std::vector<motion::Hole> holes;
     for (const clip::Frames& hole : prepared.holes)
-        if (hole.end > samples.first)
+        if (hole.end > samples.first && hole.end < prepared.source.clips.front().frames)
             holes.push_back({sample(hole.begin), sample(hole.end)});
     return holes;
 }
@@ -365,7 +425,7 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
     made.side_one = sides.name;
     made.rows =
         frame_rows(clip, made.source, std::move(sides.weights), std::move(drifting), prepared);
-    const SourceFrames frames(made.source);
+    const SourceFrames frames(made.source, prepared.holes);
     const std::vector<std::string>& owners = made.rows->owners;
     for (const motion::Segment& segment : found.segments) {
         made.segments.push_back(segment_of(segment, frames));
@@ -373,10 +433,11 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
         made.reasons.push_back(segment.reason);
         made.halves.push_back(segment.halves);
     }
-    frames.cover_file(made.segments);
+    frames.cover_recorded(made.segments);
     made.units = units_of(found, frames);
     set_parts(found, frames, made);
-    set_travels(clip, made);
+    add_unrecorded(frames, made);
+    set_travels(clip, poll, made);
     for (const std::int64_t row : telling_postures(prepared.samples.view(), progress))
         made.postures.push_back(made.source.samples.first + row * made.source.samples.step);
     made.source.period.period = period_of_longest(made.segments);

@@ -68,9 +68,9 @@ std::string segment_remark(const stltsa::Decomposition& result, std::int64_t ind
     if (segment.candidate_period_s > 0)
         remark += fmt::format("{}perhaps every {:.2f} s", remark.empty() ? "" : ", ",
                               segment.candidate_period_s);
-    if (segment.kind != STLTSA_SEGMENT_REST)
-        remark +=
-            fmt::format("{}confidence {:.2f}", remark.empty() ? "" : ", ", segment.confidence);
+    if (segment.kind == STLTSA_SEGMENT_REST)
+        return result.segment_reason(index); // empty, unless nothing was recorded
+    remark += fmt::format("{}confidence {:.2f}", remark.empty() ? "" : ", ", segment.confidence);
     if (const auto carriers = result.carriers(index); !carriers.empty())
         remark += "; " + carriers.front();
     return remark;
@@ -94,8 +94,12 @@ std::string segments_table(const stltsa::Decomposition& result) {
 std::string units_table(const stltsa::Decomposition& result) {
     Table table = interval_table("unit");
     const std::int64_t count = result.unit_count();
-    for (std::int64_t i = 0; i < std::min(count, most_rows); ++i)
-        add_row(table, {stltsa::unit_name(result.unit(i).kind)}, result.unit(i), "");
+    for (std::int64_t i = 0; i < std::min(count, most_rows); ++i) {
+        const stltsa::Interval unit = result.unit(i);
+        const bool rests = result.segment(unit.segment).kind == STLTSA_SEGMENT_REST;
+        add_row(table, {stltsa::unit_name(unit.kind)}, unit,
+                rests ? result.segment_reason(unit.segment) : "");
+    }
     return table.text() + left_out(count, "units");
 }
 

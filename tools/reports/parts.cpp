@@ -19,7 +19,7 @@ std::string samples_text(const stltsa::Info& result) {
     if (const std::int64_t step = result.integer(STLTSA_INFO_FRAME_STEP); step > 1)
         text += fmt::format(", one frame in {}", step);
     if (const std::int64_t first = result.integer(STLTSA_INFO_FIRST_FRAME); first > 0)
-        text += fmt::format(" from frame {} on (T-pose dropped)", first);
+        text += fmt::format(" from frame {} on", first);
     if (const double fps = result.real(STLTSA_INFO_FPS); fps > 0)
         text += fmt::format(", {:.6g} per second", fps);
     return text;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/numbers.hpp"
 #include "base/progress.hpp"
@@ -60,12 +61,11 @@ FeatureRows raw_rows(const Clip& clip, GapRule rule, const std::function<void()>
         std::copy_n(clip.values.row(i), clip.values.cols(), made.rows.row(i));
         polls.did(clip.values.cols());
     }
-    const Gaps gaps = fill_gaps(made.rows, 1, rule, clip.fps);
-    if (gaps.filled.empty() && gaps.dropped.empty())
-        return made;
+    const Gaps gaps = fill_gaps(made.rows, 1, rule, clip.fps, poll);
     note_gaps(clip, 1, rule, gaps, made.notes);
     predict_gaps(made.rows, 1, gaps, poll);
     made.holes = gaps.holes;
+    made.rows = with_all_frames(std::move(made.rows), gaps.kept, clip.frames());
     return made;
 }
 

@@ -53,6 +53,10 @@ void note_gaps(const Clip& clip, int width, GapRule rule, const Gaps& gaps,
         width > 1 ? "missing (at 0 or without a value)" : "without a value";
     if (gaps.seen.empty())
         fail(Status::not_finite, "all {} are {} in more than half of the frames", groups, missing);
+    if (rule == GapRule::refuse && !gaps.holes.empty())
+        fail(Status::not_finite,
+             "frames {} to {}: most {} are {}; to accept this set option gaps to fill or skip",
+             gaps.holes.front().begin, gaps.holes.front().end - 1, groups, missing);
     if (rule == GapRule::refuse && (!gaps.filled.empty() || !gaps.dropped.empty()))
         fail(Status::not_finite,
              "{} {} in some frames, {} values in all: {}; to accept them set option gaps to fill "
@@ -64,12 +68,13 @@ void note_gaps(const Clip& clip, int width, GapRule rule, const Gaps& gaps,
                                     missing, how_filled(rule, gaps),
                                     listed(clip, width, gaps.filled), gaps.frames));
     if (!gaps.dropped.empty())
-        notes.push_back(format_text("{} {} in more than half of the frames, left out: {}", groups,
-                                    missing, listed(clip, width, gaps.dropped)));
+        notes.push_back(format_text("{} {} in more than half of the frames that show the body, "
+                                    "left out: {}",
+                                    groups, missing, listed(clip, width, gaps.dropped)));
     for (const Frames& hole : gaps.holes)
-        notes.push_back(format_text("frames {} to {}: most {} are missing, so that no motion "
-                                    "continues over them",
-                                    hole.begin, hole.end - 1, groups));
+        notes.push_back(
+            format_text("frames {} to {}: most {} are missing, so no motion is found there",
+                        hole.begin, hole.end - 1, groups));
 }
 
 void note_strays(const Clip& clip, int width, const std::vector<std::int64_t>& frames,

@@ -2,42 +2,26 @@
 #include "clip/features/gaps.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/progress.hpp"
-#include "linalg/band.hpp"
-#include "linalg/eigen.hpp"
 
 namespace stltsa::clip {
 namespace {
 
 /// Frames a second, if the clip does not give them.
 constexpr double usual_rate = 100;
-/// Rows from which the covariance is estimated are at most so many, evenly chosen.
-constexpr std::int64_t most_rows = 5000;
-/// Repetitions of the estimate: a fifth changes no border of the marker clips.
-constexpr int rounds = 4;
-/// Added to the variances, as a share of their mean, so that points that move together exactly
-/// leave the matrix regular.
-constexpr double ridge = 1e-4;
-
-/// Fills the rows between `before` and `after`, of which one may lie beyond its end.
-void fill_between(Matrix& rows, std::int64_t column, int width, std::int64_t before,
-                  std::int64_t after) {
-    const std::int64_t from = before < 0 ? after : before;
-    const std::int64_t to = after < rows.rows() ? after : from;
-    for (std::int64_t i = before + 1; i < after; ++i) {
-        const double share =
-            from == to ? 0 : static_cast<double>(i - from) / static_cast<double>(to - from);
-        for (std::int64_t c = column; c < column + width; ++c)
-            rows(i, c) = (1 - share) * rows(from, c) + share * rows(to, c);
-    }
-}
+/// The body is there in frames with at least this share of the usual number of groups. With a half,
+/// the legs of somebody who comes near a camera would not count before the arms are seen, nor one
+/// of two people before the other comes.
+constexpr double least_share = 1.0 / 3;
 
 /// The gaps of each group, in order.
-std::vector<std::vector<Gap>> find_gaps(const Matrix& rows, int width) {
-    std::vector<std::vector<Gap>> gaps(static_cast<std::size_t>(rows.cols() / width));
-    for (std::int64_t i = 0; i < rows.rows(); ++i)
+using GapLists = std::vector<std::vector<Gap>>;
+
+GapLists find_gaps(const Matrix& rows, int width, PacedPoll& polls) {
+    GapLists gaps(static_cast<std::size_t>(rows.cols() / width));
+    for (std::int64_t i = 0; i < rows.rows(); ++i) {
+        polls.did(2 * rows.cols());
         for (std::size_t g = 0; g < gaps.size(); ++g) {
             const auto group = static_cast<std::int64_t>(g);
             if (!is_missing(rows.row(i) + width * group, width))
@@ -46,31 +30,79 @@ std::vector<std::vector<Gap>> find_gaps(const Matrix& rows, int width) {
                 gaps[g].push_back({{i, i}, group});
             gaps[g].back().end = i + 1;
         }
+    }
     return gaps;
 }
 
-std::int64_t missing_frames(const std::vector<Gap>& gaps) {
-    std::int64_t sum = 0;
-    for (const Gap& gap : gaps)
-        sum += gap.count();
-    return sum;
-}
-
-/// Runs of frames in which more than half of the groups are missing, longer than `longest`.
-std::vector<Frames> find_holes(const std::vector<std::vector<Gap>>& gaps,
-                               const std::vector<std::int64_t>& seen, std::int64_t frames,
-                               double longest) {
+/// How many of the groups are missing in each frame.
+std::vector<std::int64_t>
+missing_groups(const GapLists& gaps, const std::vector<std::int64_t>& groups, std::int64_t frames) {
     std::vector<std::int64_t> missing(static_cast<std::size_t>(frames) + 1);
-    for (const std::int64_t group : seen)
+    for (const std::int64_t group : groups)
         for (const Gap& gap : gaps[static_cast<std::size_t>(group)]) {
             ++missing[static_cast<std::size_t>(gap.begin)];
             --missing[static_cast<std::size_t>(gap.end)];
         }
+    for (std::size_t i = 1; i < missing.size(); ++i)
+        missing[i] += missing[i - 1];
+    missing.pop_back();
+    return missing;
+}
+
+/// How many groups are recorded in a usual frame: half of all values are in frames with as many or
+/// more. So frames in which nearly nothing is recorded do not count, however many they are.
+std::int64_t usual_number(const std::vector<std::int64_t>& missing, std::int64_t groups) {
+    std::vector<std::int64_t> frames_with(static_cast<std::size_t>(groups) + 1);
+    std::int64_t values = 0;
+    for (const std::int64_t count : missing) {
+        ++frames_with[static_cast<std::size_t>(groups - count)];
+        values += groups - count;
+    }
+    std::int64_t number = groups;
+    for (std::int64_t above = 0; number > 0; --number) {
+        above += number * frames_with[static_cast<std::size_t>(number)];
+        if (2 * above >= values)
+            break;
+    }
+    return number;
+}
+
+/// Number of frames before each one, and before the end, in which the body is there.
+std::vector<std::int64_t> frames_with_body(const GapLists& gaps, std::int64_t frames) {
+    std::vector<std::int64_t> all(gaps.size());
+    for (std::size_t g = 0; g < all.size(); ++g)
+        all[g] = static_cast<std::int64_t>(g);
+    const auto groups = std::ssize(gaps);
+    const std::vector<std::int64_t> missing = missing_groups(gaps, all, frames);
+    const double least =
+        least_share * static_cast<double>(std::max<std::int64_t>(1, usual_number(missing, groups)));
+    std::vector<std::int64_t> before(static_cast<std::size_t>(frames) + 1);
+    for (std::size_t i = 0; i < missing.size(); ++i)
+        before[i + 1] = before[i] + (static_cast<double>(groups - missing[i]) >= least ? 1 : 0);
+    return before;
+}
+
+/// Divides the groups into those that take part and those that are missing in more than half of the
+/// frames with the body.
+void choose_groups(const GapLists& found, std::int64_t frames, Gaps& gaps) {
+    const std::vector<std::int64_t> before = frames_with_body(found, frames);
+    for (const std::vector<Gap>& of_group : found) {
+        std::int64_t missing = 0;
+        for (const Gap& gap : of_group)
+            missing += before[static_cast<std::size_t>(gap.end)] -
+                       before[static_cast<std::size_t>(gap.begin)];
+        const bool is_seen = before.back() > 0 && 2 * missing <= before.back();
+        (is_seen ? gaps.seen : gaps.dropped).push_back(&of_group - found.data());
+    }
+}
+
+/// Runs of frames in which more than half of the groups are missing, longer than `longest`.
+std::vector<Frames> find_holes(const GapLists& gaps, const std::vector<std::int64_t>& seen,
+                               std::int64_t frames, double longest) {
+    const std::vector<std::int64_t> missing = missing_groups(gaps, seen, frames);
     std::vector<Frames> holes;
-    std::int64_t count = 0;
     for (std::int64_t i = 0; i < frames; ++i) {
-        count += missing[static_cast<std::size_t>(i)];
-        if (2 * count <= std::ssize(seen))
+        if (2 * missing[static_cast<std::size_t>(i)] <= std::ssize(seen))
             continue;
         if (holes.empty() || holes.back().end < i)
             holes.push_back({i, i});
@@ -81,170 +113,110 @@ std::vector<Frames> find_holes(const std::vector<std::vector<Gap>>& gaps,
     return holes;
 }
 
-/// Mean and regularized covariance of rows.
-struct Moments {
-    std::vector<double> mean;
-    /// Of the rows divided by a power of two near their largest deviation from the mean, so that
-    /// squares of tiny numbers do not vanish; the predictions do not depend on it.
-    Matrix covariance;
-
-    explicit Moments(const Matrix& rows) : covariance(rows.cols(), rows.cols()) {
-        const std::int64_t step = 1 + (rows.rows() - 1) / most_rows;
-        const std::int64_t whole = (rows.rows() - 1) / step + 1;
-        const auto count = static_cast<double>(whole);
-        mean.resize(static_cast<std::size_t>(rows.cols()));
-        for (std::int64_t i = 0; i < rows.rows(); i += step)
-            for (std::size_t c = 0; c < mean.size(); ++c)
-                mean[c] += rows(i, static_cast<std::int64_t>(c)) / count;
-        double largest = 0;
-        for (std::int64_t i = 0; i < rows.rows(); i += step)
-            for (std::size_t c = 0; c < mean.size(); ++c)
-                largest =
-                    std::max(largest, std::abs(rows(i, static_cast<std::int64_t>(c)) - mean[c]));
-        if (largest == 0)
-            return; // nothing varies, so there is nothing to predict
-        const int exponent = -std::ilogb(largest);
-        std::vector<double> row(mean.size());
-        for (std::int64_t i = 0; i < rows.rows(); i += step) {
-            for (std::size_t c = 0; c < mean.size(); ++c)
-                row[c] = std::scalbn(rows(i, static_cast<std::int64_t>(c)) - mean[c], exponent);
-            for (std::size_t a = 0; a < mean.size(); ++a)
-                for (std::size_t b = 0; b < mean.size(); ++b)
-                    covariance(static_cast<std::int64_t>(a), static_cast<std::int64_t>(b)) +=
-                        row[a] * row[b] / count;
-        }
-    }
-
-    /// The inverse of the covariance, with the ridge.
-    Matrix precision() const {
-        Matrix vectors = copied(covariance.view());
-        std::vector<double> values;
-        symmetric_eigen(vectors, values);
-        double trace = 0;
-        for (const double value : values)
-            trace += value;
-        const double added = ridge * trace / static_cast<double>(values.size());
-        Matrix result(covariance.rows(), covariance.cols());
-        for (std::int64_t k = 0; k < vectors.rows(); ++k) {
-            const double weight = 1 / (std::max(0.0, values[static_cast<std::size_t>(k)]) + added);
-            for (std::int64_t a = 0; a < result.rows(); ++a)
-                for (std::int64_t b = 0; b < result.cols(); ++b)
-                    result(a, b) += weight * vectors(k, a) * vectors(k, b);
-        }
-        return result;
-    }
-};
-
-/// Frames in which the same groups are to be predicted.
-struct Pattern {
-    Frames frames;
-    std::vector<std::int64_t> groups;
-};
-
-std::vector<Pattern> patterns_of(const std::vector<Gap>& gaps) {
-    std::vector<std::int64_t> borders;
-    for (const Gap& gap : gaps) {
-        borders.push_back(gap.begin);
-        borders.push_back(gap.end);
-    }
-    std::ranges::sort(borders);
-    borders.erase(std::unique(borders.begin(), borders.end()), borders.end());
-    std::vector<Pattern> patterns;
-    for (std::size_t b = 0; b + 1 < borders.size(); ++b)
-        patterns.push_back({{borders[b], borders[b + 1]}, {}});
-    for (const Gap& gap : gaps) {
-        const auto first = std::ranges::lower_bound(borders, gap.begin) - borders.begin();
-        for (auto p = static_cast<std::size_t>(first);
-             p < patterns.size() && patterns[p].frames.end <= gap.end; ++p)
-            patterns[p].groups.push_back(gap.group);
-    }
-    std::erase_if(patterns, [](const Pattern& pattern) { return pattern.groups.empty(); });
-    return patterns;
+Frames between_ends(const std::vector<Frames>& holes, std::int64_t frames) {
+    Frames kept{0, frames};
+    if (!holes.empty() && holes.front().begin == 0)
+        kept.begin = holes.front().end;
+    if (!holes.empty() && holes.back().end == frames && kept.begin < frames)
+        kept.end = holes.back().begin;
+    return kept;
 }
 
-/// Sets the missing columns to mean - (P_mm)^-1 P_mo (x_o - mean), P the precision.
-void predict(Matrix& rows, int width, const Pattern& pattern, const Moments& moments,
-             const Matrix& precision) {
-    std::vector<std::int64_t> columns;
-    for (const std::int64_t group : pattern.groups)
-        for (std::int64_t c = width * group; c < width * (group + 1); ++c)
-            columns.push_back(c);
-    const auto order = std::ssize(columns);
-    BandMatrix system(order, order - 1);
-    for (std::int64_t k = 0; k < order; ++k)
-        for (std::int64_t i = k; i < order; ++i)
-            system.column(k)[i - k] = precision(columns[static_cast<std::size_t>(i)],
-                                                columns[static_cast<std::size_t>(k)]);
-    if (!system.factor(0))
-        return; // the values filled over time stay
-    const auto deviation = [&](std::int64_t frame, std::int64_t column) {
-        return rows(frame, column) - moments.mean[static_cast<std::size_t>(column)];
-    };
-    std::vector<bool> is_there(static_cast<std::size_t>(rows.cols()), true);
-    for (const std::int64_t column : columns)
-        is_there[static_cast<std::size_t>(column)] = false;
-    Matrix right(pattern.frames.count(), order);
-    for (std::int64_t i = 0; i < right.rows(); ++i)
-        for (std::int64_t k = 0; k < order; ++k)
-            for (std::int64_t c = 0; c < rows.cols(); ++c)
-                if (is_there[static_cast<std::size_t>(c)])
-                    right(i, k) -= precision(columns[static_cast<std::size_t>(k)], c) *
-                                   deviation(pattern.frames.begin + i, c);
-    system.solve(right.view(), Machine());
-    for (std::int64_t i = 0; i < right.rows(); ++i)
-        for (std::int64_t k = 0; k < order; ++k) {
-            const std::int64_t column = columns[static_cast<std::size_t>(k)];
-            rows(pattern.frames.begin + i, column) =
-                moments.mean[static_cast<std::size_t>(column)] + right(i, k);
+/// Sums, over the frames, the mean displacement of the groups that both frames have: the path of
+/// the body, whichever of its points are seen. Without the body, it stands.
+Matrix path_of(const Matrix& rows, int width, const std::vector<std::int64_t>& seen,
+               PacedPoll& polls) {
+    Matrix path(rows.rows(), width);
+    std::vector<double> moved(static_cast<std::size_t>(width));
+    for (std::int64_t i = 1; i < rows.rows(); ++i) {
+        polls.did(2 * rows.cols());
+        std::ranges::fill(moved, 0);
+        std::int64_t count = 0;
+        for (const std::int64_t g : seen) {
+            const double *before = rows.row(i - 1) + width * g, *now = rows.row(i) + width * g;
+            if (is_missing(before, width) || is_missing(now, width))
+                continue;
+            ++count;
+            for (int c = 0; c < width; ++c)
+                moved[static_cast<std::size_t>(c)] += now[c] - before[c];
         }
+        const bool is_there =
+            static_cast<double>(count) >= least_share * static_cast<double>(seen.size());
+        const double share = is_there && count > 0 ? 1 / static_cast<double>(count) : 0;
+        for (int c = 0; c < width; ++c)
+            path(i, c) = path(i - 1, c) + share * moved[static_cast<std::size_t>(c)];
+    }
+    return path;
+}
+
+/// Fills the rows of the gap between those beside it, of which one may lie beyond its end, relative
+/// to the path.
+void fill_gap(Matrix& rows, int width, const Gap& gap, const Matrix& path) {
+    const std::int64_t from = gap.begin > 0 ? gap.begin - 1 : gap.end;
+    const std::int64_t to = gap.end < rows.rows() ? gap.end : from;
+    for (std::int64_t i = gap.begin; i < gap.end; ++i) {
+        const double share =
+            from == to ? 0 : static_cast<double>(i - from) / static_cast<double>(to - from);
+        for (std::int64_t c = 0; c < width; ++c) {
+            const auto off_path = [&](std::int64_t frame) {
+                return rows(frame, width * gap.group + c) - path(frame, c);
+            };
+            rows(i, width * gap.group + c) =
+                path(i, c) + (1 - share) * off_path(from) + share * off_path(to);
+        }
+    }
 }
 
 } // namespace
 
-Gaps fill_gaps(Matrix& rows, int width, GapRule rule, double fps) {
+Gaps fill_gaps(Matrix& rows, int width, GapRule rule, double fps,
+               const std::function<void()>& poll) {
+    PacedPoll polls(poll);
     Gaps gaps;
     const double longest = longest_filled_s * (fps > 0 ? fps : usual_rate);
-    const std::vector<std::vector<Gap>> found = find_gaps(rows, width);
-    for (std::int64_t g = 0; g < std::ssize(found); ++g) {
-        const std::vector<Gap>& of_group = found[static_cast<std::size_t>(g)];
-        const std::int64_t count = missing_frames(of_group);
-        if (2 * count > rows.rows()) {
-            gaps.dropped.push_back(g);
-            for (std::int64_t i = 0; i < rows.rows(); ++i)
-                std::fill_n(rows.row(i) + width * g, width, 0.0);
-            continue;
-        }
-        gaps.seen.push_back(g);
-        gaps.frames += count;
-        if (count > 0)
-            gaps.filled.push_back(g);
-        for (const Gap& gap : of_group)
-            fill_between(rows, width * g, width, gap.begin - 1, gap.end);
-    }
+    GapLists found = find_gaps(rows, width, polls);
+    choose_groups(found, rows.rows(), gaps);
     gaps.holes = find_holes(found, gaps.seen, rows.rows(), longest);
-    for (const std::int64_t g : gaps.seen)
-        for (const Gap& gap : found[static_cast<std::size_t>(g)])
+    gaps.kept = between_ends(gaps.holes, rows.rows());
+    if (gaps.kept.count() < rows.rows()) {
+        rows = copied(rows.view().block(gaps.kept.begin, gaps.kept.count()));
+        found = find_gaps(rows, width, polls);
+    }
+    for (const std::int64_t g : gaps.dropped)
+        for (std::int64_t i = 0; i < rows.rows(); ++i) {
+            polls.did(width);
+            std::fill_n(rows.row(i) + width * g, width, 0.0);
+        }
+    // Columns that are no coordinates have no path in common.
+    const bool travels = width > 1 && std::ranges::any_of(gaps.seen, [&](std::int64_t g) {
+                             return !found[static_cast<std::size_t>(g)].empty();
+                         });
+    const Matrix path =
+        travels ? path_of(rows, width, gaps.seen, polls) : Matrix(rows.rows(), width);
+    for (const std::int64_t g : gaps.seen) {
+        const std::vector<Gap>& of_group = found[static_cast<std::size_t>(g)];
+        if (!of_group.empty())
+            gaps.filled.push_back(g);
+        for (const Gap& gap : of_group) {
+            fill_gap(rows, width, gap, path);
+            polls.did(gap.count() * width);
+            gaps.frames += gap.count();
             if (rule == GapRule::skip || static_cast<double>(gap.count()) > longest ||
                 gap.begin == 0 || gap.end == rows.rows())
                 gaps.predicted.push_back(gap);
+        }
+    }
     return gaps;
 }
 
-void predict_gaps(Matrix& rows, int width, const Gaps& gaps, const std::function<void()>& poll) {
-    PacedPoll polls(poll);
-    std::vector<Pattern> patterns = patterns_of(gaps.predicted);
-    // Where most is missing, nothing implies the rest.
-    std::erase_if(patterns, [&](const Pattern& pattern) {
-        return 2 * std::ssize(pattern.groups) > std::ssize(gaps.seen);
-    });
-    for (int round = 0; round < rounds && !patterns.empty(); ++round) {
-        const Moments moments(rows);
-        const Matrix precision = moments.precision();
-        for (const Pattern& pattern : patterns) {
-            predict(rows, width, pattern, moments, precision);
-            polls.did(pattern.frames.count() * width * std::ssize(pattern.groups) * rows.cols());
-        }
-    }
+Matrix with_all_frames(Matrix rows, const Frames& kept, std::int64_t frames) {
+    if (rows.rows() == frames)
+        return rows;
+    Matrix all = Matrix::unset(frames, rows.cols());
+    for (std::int64_t i = 0; i < frames; ++i)
+        std::copy_n(rows.row(std::clamp(i - kept.begin, std::int64_t{0}, rows.rows() - 1)),
+                    rows.cols(), all.row(i));
+    return all;
 }
 
 } // namespace stltsa::clip

@@ -28,6 +28,7 @@ struct Frames {
     std::int64_t end = 0;
 
     std::int64_t count() const { return end - begin; }
+    bool operator==(const Frames&) const = default;
 };
 
 /// A gap in the columns of one group: a point, or a column of a matrix.
@@ -40,27 +41,34 @@ struct Gap : Frames {
 struct Gaps {
     std::vector<std::int64_t> seen;    ///< groups that take part
     std::vector<std::int64_t> filled;  ///< those of them that were missing in some frames
-    std::vector<std::int64_t> dropped; ///< missing in more than half of the frames
+    std::vector<std::int64_t> dropped; ///< missing in more than half of the frames with the body
     std::int64_t frames = 0;           ///< frames in which a group is missing, summed over `seen`
-    std::vector<Gap> predicted;        ///< gaps for predict_gaps()
     /// Where more than half of the groups are missing for longer than longest_filled_s: nothing is
     /// known of the body.
     std::vector<Frames> holes;
+    Frames kept;                ///< the frames between a hole at the start and one at the end
+    std::vector<Gap> predicted; ///< gaps for predict_gaps(), in frames after kept.begin
 };
 
-/// Fills all gaps linearly over time, and with the nearest value at the ends. Sets the columns of
-/// dropped groups to 0, so that they carry no weight and the others keep their places. `width`:
-/// columns of a group. `fps` 0: unknown.
-Gaps fill_gaps(Matrix& rows, int width, GapRule rule, double fps);
+/// Takes the frames before the body comes and after it has left from the rows. In the others, fills
+/// all gaps linearly over time, and with the nearest value at the ends. Sets the columns of dropped
+/// groups to 0, so that they carry no weight and the others keep their places. `width`: columns of
+/// a group. `fps` 0: unknown. `poll`: called periodically, may throw.
+Gaps fill_gaps(Matrix& rows, int width, GapRule rule, double fps,
+               const std::function<void()>& poll = {});
 
 /// Replaces what fill_gaps() put into the gaps listed as `predicted` by what the groups that are
 /// there imply: the conditional mean under the covariance of the rows, found by iteration
 /// (Dempster, Laird and Rubin, "Maximum likelihood from incomplete data via the EM algorithm",
 /// 1977; for markers, Gloersen and Federolf, "Predicting missing marker trajectories in human
 /// motion data using marker intercorrelations", PLOS ONE, 2016). So a distance between two frames
-/// is that of what both have. The rows must be relative to the body. `poll`: called periodically,
-/// may throw.
+/// is that of what both have. Of many groups, those near the missing one are used, so that time and
+/// memory grow with the number of groups only. The rows must be relative to the body. `poll`:
+/// called periodically, may throw.
 void predict_gaps(Matrix& rows, int width, const Gaps& gaps,
                   const std::function<void()>& poll = {});
+
+/// Rows for all frames of a clip: those that fill_gaps() took away are as the nearest ones.
+Matrix with_all_frames(Matrix rows, const Frames& kept, std::int64_t frames);
 
 } // namespace stltsa::clip

@@ -31,8 +31,8 @@ struct Flat {
 
 class Shapes {
   public:
-    Shapes(Matrix& points, Axis up)
-        : points_(points), first_(static_cast<std::int64_t>(up) % 3),
+    Shapes(Matrix& points, Axis up, PacedPoll& polls)
+        : points_(points), polls_(polls), first_(static_cast<std::int64_t>(up) % 3),
           second_((static_cast<std::int64_t>(up) + 1) % 3) {}
 
     std::int64_t frames() const { return points_.rows(); }
@@ -42,6 +42,7 @@ class Shapes {
         return {p[first_], p[second_]};
     }
     void turn(std::int64_t frame, Flat turn) {
+        polls_.did(points_.cols());
         for (std::int64_t p = 0; p < count(); ++p) {
             const Flat to = at(frame, p).turned(turn);
             points_(frame, 3 * p + first_) = to.a;
@@ -55,18 +56,21 @@ class Shapes {
 
     std::vector<Flat> mean() const {
         std::vector<Flat> sum(static_cast<std::size_t>(count()));
-        for (std::int64_t i = 0; i < frames(); ++i)
+        for (std::int64_t i = 0; i < frames(); ++i) {
+            polls_.did(points_.cols());
             for (std::size_t p = 0; p < sum.size(); ++p) {
                 const Flat q = at(i, static_cast<std::int64_t>(p));
                 sum[p].a += q.a / static_cast<double>(frames());
                 sum[p].b += q.b / static_cast<double>(frames());
             }
+        }
         return sum;
     }
 
     /// Procrustes: its direction is the turn that brings the frame closest to the reference.
     Flat match(std::int64_t frame, const std::vector<Flat>& reference) const {
         Flat sum;
+        polls_.did(points_.cols());
         for (std::size_t p = 0; p < reference.size(); ++p) {
             const Flat q = at(frame, static_cast<std::int64_t>(p));
             sum.a += q.a * reference[p].a + q.b * reference[p].b;
@@ -78,18 +82,21 @@ class Shapes {
     /// Whether the horizontal spread is more than a line, measured by the spread in space.
     bool have_heading(Axis up) const {
         double aa = 0, ab = 0, bb = 0, height = 0;
-        for (std::int64_t i = 0; i < frames(); ++i)
+        for (std::int64_t i = 0; i < frames(); ++i) {
+            polls_.did(points_.cols());
             for (std::int64_t p = 0; p < count(); ++p) {
                 const Flat q = at(i, p);
                 const double h = points_(i, 3 * p + static_cast<std::int64_t>(up) - 1);
                 aa += q.a * q.a, ab += q.a * q.b, bb += q.b * q.b, height += h * h;
             }
+        }
         const double smaller = (aa + bb) / 2 - std::hypot((aa - bb) / 2, ab);
         return smaller > least_depth * (aa + bb + height);
     }
 
   private:
     Matrix& points_;
+    PacedPoll& polls_;
     std::int64_t first_, second_; ///< the horizontal axes, so that (first, second, up) is even
 };
 
@@ -171,8 +178,8 @@ void set_heading(Shapes& shapes) {
 
 } // namespace
 
-bool remove_heading(Matrix& points, Axis up, double fps) {
-    Shapes shapes(points, up);
+bool remove_heading(Matrix& points, Axis up, double fps, PacedPoll& polls) {
+    Shapes shapes(points, up, polls);
     if (!shapes.have_heading(up))
         return false;
     remove_quick_turns(shapes, fps);
@@ -182,9 +189,9 @@ bool remove_heading(Matrix& points, Axis up, double fps) {
     return true;
 }
 
-double turned_range(const Matrix& points, const Matrix& turned, Axis up) {
+double turned_range(const Matrix& points, const Matrix& turned, Axis up, PacedPoll& polls) {
     Matrix from = copied(points.view()), to = copied(turned.view());
-    const Shapes before(from, up), after(to, up);
+    const Shapes before(from, up, polls), after(to, up, polls);
     double angle = 0, least = 0, most = 0;
     for (std::int64_t i = 0; i < before.frames(); ++i) {
         std::vector<Flat> reference;

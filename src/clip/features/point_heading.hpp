@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "base/progress.hpp"
 #include "clip/body/up_axis.hpp"
 #include "linalg/matrix.hpp"
 
@@ -10,9 +11,9 @@ namespace stltsa::clip {
 /// their shape but not on the heading in the file. Their horizontal mean must be at the origin.
 /// False, and nothing is changed, if they have no heading: they stand above each other, or in one
 /// vertical plane.
-bool remove_heading(Matrix& points, Axis up, double fps);
+bool remove_heading(Matrix& points, Axis up, double fps, PacedPoll& polls);
 
 /// The range of the angles, in radians, by which frames of one were turned to give the other.
-double turned_range(const Matrix& points, const Matrix& turned, Axis up);
+double turned_range(const Matrix& points, const Matrix& turned, Axis up, PacedPoll& polls);
 
 } // namespace stltsa::clip

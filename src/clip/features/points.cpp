@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "clip/features/gap_notes.hpp"
 #include "clip/features/point_heading.hpp"
@@ -133,10 +134,10 @@ std::string removed(bool in_plane, bool turned) {
 
 /// Turns points in a plane only if they are seen from above: a body that is seen from the side
 /// leans, but does not turn.
-bool remove_heading_in_plane(Matrix& points, double fps) {
+bool remove_heading_in_plane(Matrix& points, double fps, PacedPoll& polls) {
     Matrix turned = copied(points.view());
-    if (!remove_heading(turned, Axis::z, fps) ||
-        !(turned_range(points, turned, Axis::z) > std::numbers::pi / 2))
+    if (!remove_heading(turned, Axis::z, fps, polls) ||
+        !(turned_range(points, turned, Axis::z, polls) > std::numbers::pi / 2))
         return false;
     points = std::move(turned);
     return true;
@@ -167,8 +168,8 @@ void remove_way(const Clip& clip, const Chosen& seen, bool in_plane, std::option
         keep_slow_height(path, made.up, fps);
     subtract(made.rows, seen, path);
     polls.did(values);
-    made.turned = in_plane ? remove_heading_in_plane(made.rows, fps)
-                           : remove_heading(made.rows, made.up, fps);
+    made.turned = in_plane ? remove_heading_in_plane(made.rows, fps, polls)
+                           : remove_heading(made.rows, made.up, fps, polls);
     made.notes.push_back(
         format_text("columns taken as {} points in {}: removed {}; for the file's numbers set "
                     "option features to raw",
@@ -204,8 +205,7 @@ FeatureRows points(const Clip& clip, std::optional<Axis> requested, GapRule rule
     if (rule != GapRule::refuse)
         note_strays(clip, width, drop_strays(made.rows, width, clip.fps, polls), made.notes);
     polls.did(values);
-    const Gaps gaps = fill_gaps(made.rows, width, rule, clip.fps);
-    polls.did(values);
+    const Gaps gaps = fill_gaps(made.rows, width, rule, clip.fps, poll);
     note_gaps(clip, width, rule, gaps, made.notes);
     made.holes = gaps.holes;
     if (width == 2)
@@ -219,6 +219,7 @@ FeatureRows points(const Clip& clip, std::optional<Axis> requested, GapRule rule
     }
     if (width == 2)
         made.rows = with_columns(made.rows, 3, 2);
+    made.rows = with_all_frames(std::move(made.rows), gaps.kept, clip.frames());
     return made;
 }
 

@@ -18,8 +18,21 @@ std::int64_t dropped_frames(const Clip& clip, const Matrix& features, bool drop_
     return drop_tpose && clip.skeleton ? tpose_frames(features.view()) : 0;
 }
 
-ConstMatrixView from_row(const Matrix& matrix, std::int64_t first) {
-    return matrix.view().block(first, matrix.rows() - first);
+/// The frames of which samples are taken: neither a T-pose nor those before the body comes or after
+/// it has left.
+Frames used_frames(const Clip& clip, const FeatureRows& made, bool drop_tpose) {
+    Frames used{dropped_frames(clip, made.rows, drop_tpose), made.rows.rows()};
+    for (const Frames& hole : made.holes) {
+        if (hole.begin == 0)
+            used.begin = hole.end;
+        else if (hole.end == used.end)
+            used.end = hole.begin;
+    }
+    return used;
+}
+
+ConstMatrixView block(const Matrix& matrix, const Frames& frames) {
+    return matrix.view().block(frames.begin, frames.count());
 }
 
 /// Smoothed over time, but not over breaks of the clip. Row 0 is frame `first`.
@@ -32,9 +45,9 @@ Matrix smoothed_rows(const Clip& clip, ConstMatrixView rows, std::int64_t first,
     ends.push_back(first + rows.rows);
     std::int64_t begin = 0;
     for (const std::int64_t end : ends) {
-        const std::int64_t count = end - first - begin;
+        const std::int64_t count = std::min(end - first, rows.rows) - begin;
         if (count <= 0)
-            continue; // within the T-pose
+            continue; // before the first row
         const Matrix run =
             gaussian_smoothed(rows.block(begin, count), sigma, Beyond::reflection, 1, poll);
         std::copy_n(run.data(), count * rows.cols, result.row(begin));
@@ -55,19 +68,20 @@ Prepared prepare(const Clip& clip, const PrepareOptions& options) {
     prepared.up = made.up;
     prepared.turned = made.turned;
     prepared.notes = std::move(made.notes);
+    const Frames used = used_frames(clip, made, options.drop_tpose);
+    prepared.first = used.begin;
     prepared.holes = std::move(made.holes);
     for (const std::int64_t frame : clip.breaks)
         prepared.holes.push_back({frame, frame});
     std::ranges::sort(prepared.holes, {}, &Frames::begin);
     Matrix& all = made.rows;
-    prepared.first = dropped_frames(clip, all, options.drop_tpose);
-    ConstMatrixView kept = from_row(all, prepared.first);
+    ConstMatrixView kept = block(all, used);
     if (const std::int64_t jump = find_jump(kept); jump > 0)
         prepared.jump = prepared.first + jump;
     // Decimation and smoothing are in seconds, so they need a frame rate.
     if (clip.fps > 0 && options.rate > 0)
         prepared.step = static_cast<std::int64_t>(
-            std::clamp(std::round(clip.fps / options.rate), 1.0, static_cast<double>(all.rows())));
+            std::clamp(std::round(clip.fps / options.rate), 1.0, static_cast<double>(kept.rows)));
     prepared.fps = clip.fps / static_cast<double>(prepared.step);
     double sigma = options.smoothing * clip.fps;
     Matrix between_breaks;
@@ -81,7 +95,7 @@ Prepared prepare(const Clip& clip, const PrepareOptions& options) {
     if (is_copy)
         prepared.samples =
             gaussian_smoothed(from, sigma, Beyond::reflection, prepared.step, options.poll);
-    Matrix rows = prepared.first == 0 ? std::move(all) : copied(kept);
+    Matrix rows = kept.rows == all.rows() ? std::move(all) : copied(kept);
     if (is_copy) {
         if (options.keep_rows)
             prepared.rows = std::move(rows);
@@ -95,13 +109,12 @@ Prepared prepare(const Clip& clip, const PrepareOptions& options) {
 
 Matrix smoothed_features(const Clip& clip, Features kind, Axis up, double smoothing,
                          bool drop_tpose, const std::function<void()>& poll) {
-    const Matrix all = features(clip, kind, up);
-    const std::int64_t first = dropped_frames(clip, all, drop_tpose);
+    FeatureRows made = feature_rows(clip, kind, up);
+    const Frames used = used_frames(clip, made, drop_tpose);
     const Matrix smoothed =
-        smoothed_rows(clip, from_row(all, first), first, smoothing * clip.fps, poll);
-    Matrix result = copied(all.view());
-    std::copy_n(smoothed.data(), smoothed.rows() * smoothed.cols(), result.row(first));
-    return result;
+        smoothed_rows(clip, block(made.rows, used), used.begin, smoothing * clip.fps, poll);
+    std::copy_n(smoothed.data(), smoothed.rows() * smoothed.cols(), made.rows.row(used.begin));
+    return std::move(made.rows);
 }
 
 } // namespace stltsa::clip

@@ -27,9 +27,11 @@ struct PrepareOptions {
 /// Working samples of a clip: sample i is source frame first + i * step.
 struct Prepared {
     Matrix samples;
-    Matrix rows;    ///< if wanted, of every source frame from the first one on, not smoothed
+    Matrix rows; ///< if wanted, of every source frame from the first one to the last, not smoothed
     double fps = 0; ///< of the samples
-    std::int64_t first = 0; ///< number of T-pose frames dropped at the start
+    /// Number of frames dropped at the start: a T-pose, or those before the body comes. Those after
+    /// it has left have no samples either; both are among the holes.
+    std::int64_t first = 0;
     std::int64_t step = 1;
     std::int64_t jump = 0;             ///< source frame before which the pose jumps; 0: it does not
     Features features = Features::raw; ///< the kind used
@@ -43,7 +45,7 @@ struct Prepared {
 Prepared prepare(const Clip& clip, const PrepareOptions& options);
 
 /// Features of every frame of the file, smoothed as by prepare(), whose samples are the rows first,
-/// first + step, ... of the result. T-pose frames that prepare() drops are not smoothed.
+/// first + step, ... of the result. Frames that prepare() drops are not smoothed.
 /// `smoothing` and `poll`: as in PrepareOptions.
 Matrix smoothed_features(const Clip& clip, Features kind, Axis up, double smoothing,
                          bool drop_tpose, const std::function<void()>& poll = {});

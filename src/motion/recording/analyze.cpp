@@ -45,13 +45,23 @@ void fit_number(const KernelFeatures& features, std::int64_t wanted,
     merge_to(features, wanted, drafts);
 }
 
+/// The holes in rows of the signal.
+std::vector<Hole> in_rows(std::vector<Hole> holes, const Signal& signal) {
+    for (Hole& hole : holes) {
+        hole.begin /= static_cast<double>(signal.step);
+        hole.end = std::min(hole.end / static_cast<double>(signal.step),
+                            static_cast<double>(signal.rows()));
+    }
+    std::erase_if(holes, [](const Hole& hole) { return hole.begin > hole.end; });
+    return holes;
+}
+
 /// The ranges of rows that holes touch, in ascending order and disjoint.
 std::vector<Rows> rows_of(const std::vector<Hole>& holes, const Signal& signal) {
     std::vector<Rows> result;
-    const auto step = static_cast<double>(signal.step);
     for (const Hole& hole : holes) {
-        const auto begin = static_cast<std::int64_t>(std::floor(hole.begin / step));
-        const auto end = static_cast<std::int64_t>(std::ceil(hole.end / step));
+        const auto begin = static_cast<std::int64_t>(std::floor(hole.begin));
+        const auto end = static_cast<std::int64_t>(std::ceil(hole.end));
         if (begin >= signal.rows())
             continue;
         const Rows rows{begin, std::min(signal.rows(), std::max(begin + 1, end))};
@@ -86,7 +96,8 @@ Recording analyze(ConstMatrixView samples, double fps, const Options& options,
         signal.forward = options.forward;
         signal.begin_with_side = options.begin_with_side;
     }
-    const std::vector<Rows> holes = rows_of(options.holes, signal);
+    const std::vector<Hole> exact_holes = in_rows(options.holes, signal);
+    const std::vector<Rows> holes = rows_of(exact_holes, signal);
     std::vector<Rows> rests = find_rests(signal);
     Pauses pauses = find_pauses(signal, rests);
     add_holes(holes, rests, pauses);
@@ -109,7 +120,7 @@ Recording analyze(ConstMatrixView samples, double fps, const Options& options,
     set_labels(features, drafts, poll_at(1));
     if (!options.segments)
         join_neighbors(drafts);
-    divide_at_holes(holes, signal.rate, drafts);
+    divide_at_holes(exact_holes, signal.rate, drafts);
     return answer_of({signal, features, pauses}, std::move(drafts), samples, options, poll_at(1));
 }
 

@@ -126,7 +126,11 @@ void append_segment(Work& work, std::vector<Draft>& drafts, std::size_t i) {
     segment.label = draft.label;
     segment.reason = draft.reason;
     segment.candidate_period = draft.candidate_period * static_cast<double>(work.signal.step);
-    segment.begin_confidence = i == 0 ? none : border_confidence_of(drafts, i);
+    const bool after_hole = i > 0 && drafts[i - 1].is_hole;
+    const bool before_hole = i + 1 < drafts.size() && drafts[i + 1].is_hole;
+    segment.begin_confidence = i == 0                        ? none
+                               : draft.is_hole || after_hole ? 1
+                                                             : border_confidence_of(drafts, i);
     const double seconds = (draft.end - draft.begin) / work.signal.rate;
     switch (draft.kind) {
     case SegmentKind::cyclic:
@@ -140,14 +144,15 @@ void append_segment(Work& work, std::vector<Draft>& drafts, std::size_t i) {
         segment.confidence = action_confidence(seconds);
         break;
     case SegmentKind::rest:
-        segment.confidence = rest_confidence(seconds);
+        segment.confidence = draft.is_hole ? 1 : rest_confidence(seconds);
         break;
     }
     if (draft.kind != SegmentKind::rest) {
         segment.energy = energy_of(work, draft);
-        segment.open_begin = draft.begin <= 0 && moves_at(work.signal, 0);
-        segment.open_end = draft.end >= static_cast<double>(work.signal.rows()) &&
-                           moves_at(work.signal, work.signal.rows() - 1);
+        const Rows rows = draft.rows();
+        segment.open_begin = (rows.begin <= 0 || after_hole) && moves_at(work.signal, rows.begin);
+        segment.open_end =
+            (rows.end >= work.signal.rows() || before_hole) && moves_at(work.signal, rows.end - 1);
     }
     work.result.segments.push_back(std::move(segment));
 }

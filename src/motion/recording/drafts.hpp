@@ -22,6 +22,7 @@ struct Draft {
     std::vector<Rows> motions;            ///< repetitions; of an action, itself
     int group = -1;                       ///< of the motions; -1: cyclic or a rest
     bool known_motion = false;            ///< it is seen elsewhere between pauses
+    bool is_hole = false;                 ///< a rest of which nothing is known
     int label = -1;
     double gain = 0;             ///< of the first border in prices; 0: at a rest, or at the start
     double candidate_period = 0; ///< rows

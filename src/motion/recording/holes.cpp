@@ -49,6 +49,41 @@ Draft take_end(Draft& draft, double border) {
     return rest;
 }
 
+/// Makes the hole a draft between those before the index `after` and the others. Returns its index.
+std::size_t insert_hole(std::vector<Draft>& drafts, std::size_t after, const Hole& hole) {
+    const auto place = [&] { return drafts.begin() + static_cast<std::ptrdiff_t>(after); };
+    for (; after > 0 && drafts[after - 1].begin >= hole.begin; --after)
+        drafts.erase(place() - 1);
+    while (after < drafts.size() && drafts[after].end <= hole.end)
+        drafts.erase(place());
+    Draft made;
+    made.kind = SegmentKind::rest;
+    made.is_hole = true;
+    made.reason = nothing_recorded;
+    made.begin = hole.begin;
+    made.end = hole.end;
+    if (after > 0) {
+        Draft& before = drafts[after - 1];
+        if (!before.stretches.empty()) // cycles may end between two rows
+            made.begin = std::max(made.begin, before.stretches.back().borders.back());
+        before.end = made.begin;
+    }
+    if (after < drafts.size())
+        drafts[after].begin = made.end;
+    drafts.insert(place(), std::move(made));
+    return after;
+}
+
+/// Gives what is left of a rest beside a hole to the draft beyond it.
+void give_away(std::vector<Draft>& drafts, std::size_t rest, bool to_next) {
+    const std::size_t to = to_next ? rest + 1 : rest - 1; // wraps below 0
+    if (rest >= drafts.size() || to >= drafts.size() || drafts[rest].is_hole ||
+        drafts[rest].kind != SegmentKind::rest || drafts[to].is_hole)
+        return;
+    (to_next ? drafts[to].begin : drafts[to].end) = to_next ? drafts[rest].begin : drafts[rest].end;
+    drafts.erase(drafts.begin() + static_cast<std::ptrdiff_t>(rest));
+}
+
 } // namespace
 
 void add_holes(const std::vector<Rows>& holes, std::vector<Rows>& rests, Pauses& pauses) {
@@ -68,28 +103,31 @@ void add_holes(const std::vector<Rows>& holes, std::vector<Rows>& rests, Pauses&
     }
 }
 
-void divide_at_holes(const std::vector<Rows>& holes, double rate, std::vector<Draft>& drafts) {
-    for (const Rows& hole : holes) {
-        const double border = static_cast<double>(hole.begin + hole.end) / 2;
-        const auto at = std::ranges::find_if(
-            drafts, [&](const Draft& draft) { return draft.begin < border && border < draft.end; });
+void divide_at_holes(const std::vector<Hole>& holes, double rate, std::vector<Draft>& drafts) {
+    for (const Hole& hole : holes) {
+        const double border = (hole.begin + hole.end) / 2;
+        const auto at = std::ranges::upper_bound(drafts, border, {}, &Draft::end);
         if (at == drafts.end())
             continue;
-        const bool is_hole =
-            at->kind == SegmentKind::rest && drafts.size() > 1 &&
-            at->end - at->begin < static_cast<double>(hole.count()) + least_rest_s * rate;
-        if (!is_hole) {
-            const auto next = at + 1;
+        auto after = static_cast<std::size_t>(at - drafts.begin());
+        bool is_brief = false; // a rest only because of the hole
+        if (at->begin < border) {
+            is_brief = at->kind == SegmentKind::rest &&
+                       at->end - at->begin < hole.end - hole.begin + least_rest_s * rate;
             Draft rest = take_end(*at, border);
-            drafts.insert(next, std::move(rest));
-            continue;
+            drafts.insert(at + 1, std::move(rest));
+            ++after;
         }
-        const bool first = at == drafts.begin(), last = at + 1 == drafts.end();
-        if (!first)
-            (at - 1)->end = last ? at->end : border;
-        if (!last)
-            (at + 1)->begin = first ? at->begin : border;
-        drafts.erase(at);
+        std::size_t before = after - 1;
+        if (hole.begin < hole.end) {
+            before = insert_hole(drafts, after, hole);
+            after = before + 1;
+            --before;
+        }
+        if (is_brief) {
+            give_away(drafts, after, true);
+            give_away(drafts, before, false);
+        }
     }
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/warning.hpp"
@@ -87,7 +88,9 @@ struct Unit {
     double end = 0;
 };
 
-/// Samples [begin, end) of which nothing is known, because most of the body was not recorded.
+/// Samples [begin, end) of which nothing is known, because most of the body was not recorded. They
+/// become a rest with this reason. An empty one only divides, where a clip was cut.
+constexpr std::string_view nothing_recorded = "nothing recorded";
 struct Hole {
     double begin = 0;
     double end = 0;

@@ -26,9 +26,13 @@ function tip(text, x, y) {
 const numberOf = text => [...text].reduce((n, letter) => n * 26 + letter.charCodeAt(0) - 64, 0) - 1;
 const hueOf = segment => labelHue(segment.label ? numberOf(segment.label) : -1);
 function segmentText(s) {
-  if (s.kind === "rest") return "rest";
+  if (s.kind === "rest") return s.reason || "rest"; // "nothing recorded"
   if (s.kind === "action") return s.label + " · once";
   return s.label + " · " + plural(s.count, s.kind === "cyclic" ? "cycle" : "repetition");
+}
+function unitText(u) {
+  const s = found.segments[u.segment];
+  return s.kind === "rest" && s.reason ? s.reason : u.kind;
 }
 
 // The smallest and largest value of each pixel, so that nothing is lost in a long recording.
@@ -86,7 +90,7 @@ function makeBand() {
         });
       });
       boxes(found.segments, 26, 34, s => ({ hue: hueOf(s), text: segmentText(s), strong: true }));
-      boxes(found.units, 64, 20, u => ({ hue: hueOfUnit(u.kind), text: u.kind }));
+      boxes(found.units, 64, 20, u => ({ hue: hueOfUnit(u.kind), text: unitText(u) }));
       const cycles = bandRows[2];
       if (found.cycles.length) boxes(found.cycles, cycles.y, cycles.h, (c, i) => ({ hue: hueOf(found.segments[c.segment]), text: String(i + 1), faint: i % 2 }));
       if (found.repetitions.length) boxes(found.repetitions, cycles.y, cycles.h, (r, i) => ({ hue: hueOf(found.segments[r.segment]), text: String(i + 1), faint: i % 2 }));
@@ -129,7 +133,7 @@ function bandText(x, y, w) {
   const span = part => `${time(first(part))} to ${time(last(part))}, ${number((part.end_s - part.begin_s), 3)} s`;
   const sure = part => part.confidence === null || part.confidence === undefined ? "" : `\nconfidence ${percent(part.confidence, 0)}`;
   if (y >= 26 && y < 62) { const s = at(found.segments); return s && `${segmentText(s)}\n${span(s)}${sure(s)}${s.period_s ? `\ncycle time ${number(s.period_s)} s` : ""}${s.reason && s.kind !== "rest" ? "\n" + s.reason : ""}${s.carried_by.length ? "\nmoves: " + s.carried_by.slice(0, 5).join(", ") : ""}`; }
-  if (y >= 64 && y < 86) { const u = at(found.units); return u && `${u.kind}\n${span(u)}`; }
+  if (y >= 64 && y < 86) { const u = at(found.units); return u && `${unitText(u)}\n${span(u)}`; }
   const parts = bandRows[2];
   if (y >= parts.y && y < parts.y + parts.h && parts.name !== "Events") {
     const c = containing(found.cycles, frame), r = containing(found.repetitions, frame), part = c >= 0 ? found.cycles[c] : found.repetitions[r];

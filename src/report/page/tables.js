@@ -71,7 +71,7 @@ function makeSides() {
 function makeWarnings() {
   const texts = found.warnings.map(w => w.text + (w.begin_s === null ? "" : ` (at ${number(w.begin_s, 4)} s)`));
   texts.push(...data.phase.warnings, ...(clip.notes || []));
-  if (clip.dropped_start_frames > 0) texts.push(`The results leave out the T-pose at the beginning: ${plural(clip.dropped_start_frames, "frame")}.`);
+  if (clip.dropped_start_frames > 0 && body.kind === "skeleton") texts.push(`The results leave out the T-pose at the beginning: ${plural(clip.dropped_start_frames, "frame")}.`);
   if (body.step > 1) texts.push(`To keep the file small, this page has only every ${body.step}${body.step === 2 ? "nd" : body.step === 3 ? "rd" : "th"} posture (${number(fps / body.step)} per second) and interpolates between them. The results are from all frames.`);
   for (const motion of motions) {
     if (motion.reason) texts.push(`No curves for ${letters(motion.label)}: ${motion.reason}`);
@@ -99,11 +99,11 @@ function makeTables() {
   const travel = part => part.travel ? [number(part.travel.speed), number(part.travel.way), degrees(part.travel.turn_deg)] : ["–", "–", "–"];
   const limit = 2000, more = list => list.length > limit ? ` (the first ${limit} here; all are in the JSON)` : "";
   const add = (title, list, heads, row) => { if (list.length) byId("tables").append(folded(`${title}: ${list.length}${more(list)}`, () => scrolled(table("", heads, list.slice(0, limit).map(row), 2), title))); };
-  add("Segments", found.segments, ["", "Kind", "From", "Seconds", "Number", "Cycle time, s", "Confidence", "Moves most"], (s, i) => [String(i + 1), s.label ? element("span", {}, named(s.label), " " + s.kind) : s.kind, go(s), length(s), String(s.count), number(s.period_s), percent(s.confidence, 0), s.carried_by.slice(0, 3).join(", ")]);
+  add("Segments", found.segments, ["", "Kind", "From", "Seconds", "Number", "Cycle time, s", "Confidence", "Moves most"], (s, i) => [String(i + 1), s.label ? element("span", {}, named(s.label), " " + s.kind) : segmentText(s), go(s), length(s), String(s.count), number(s.period_s), percent(s.confidence, 0), s.carried_by.slice(0, 3).join(", ")]);
   const alike = found.label_likeness;
   const shown = alike.slice(0, 26), some = alike.length > shown.length ? `: ${alike.length} (the first ${shown.length} here; all are in the JSON)` : "";
   if (shown.length > 1) byId("tables").append(folded("Likeness of motions" + some, () => scrolled(table("", ["", ...shown.map((_, i) => named(letters(i)))], shown.map((row, i) => [named(letters(i)), ...row.slice(0, shown.length).map(v => percent(v, 0))]), 1), "Likeness of motions")));
-  add("Units", found.units, ["", "Kind", "From", "Seconds"], (u, i) => [String(i + 1), u.kind, go(u), length(u)]);
+  add("Units", found.units, ["", "Kind", "From", "Seconds"], (u, i) => [String(i + 1), unitText(u), go(u), length(u)]);
   for (const [title, list] of [["Cycles", found.cycles], ["Repetitions", found.repetitions]])
     add(title, list, ["", "Motion", "From", "Seconds", "Speed", "Path length", "Turn, °", "Likeness", "Confidence"], (c, i) => [String(i + 1), named(labelOf(c.segment)), go(c), length(c), ...travel(c), percent(c.likeness, 0), percent(c.confidence, 0)]);
 }

@@ -118,7 +118,7 @@ function makeViewer() {
       let x = 14;
       if (body.parts.some(part => part.side === 0)) for (const [side, color] of [["left", colors.left], ["right", colors.right]]) { pen.circle(x, h - 14, 4, { fill: color }); pen.text(x + 9, h - 14, side, { color: colors.soft }); x += 58; }
       const at = containing(found.segments, state.frame), segment = found.segments[at], unit = found.units[containing(found.units, state.frame)];
-      if (segment) pen.text(w - 14, h - 14, [segment.label, unit && unit.kind, cycleText(state.frame)].filter(Boolean).join(" · "), { color: colors.soft, align: "right" });
+      if (segment) pen.text(w - 14, h - 14, [segment.label, unit && unitText(unit), cycleText(state.frame)].filter(Boolean).join(" · "), { color: colors.soft, align: "right" });
       if (state.part >= 0 && body.parts[state.part]) pen.text(14, 12, body.parts[state.part].name, { color: colors.cursor, bold: true });
     },
   });

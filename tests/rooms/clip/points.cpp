@@ -205,40 +205,24 @@ void heading_is_held_while_the_shape_collapses(void**) {
     }
 }
 
-void gaps_are_filled_linearly(void**) {
-    Matrix all(10, 12);
-    for (std::int64_t i = 0; i < 10; ++i)
-        for (std::int64_t c = 0; c < 12; ++c)
-            all(i, c) = static_cast<double>(c) + 2 * static_cast<double>(i) + 1;
-    const Matrix whole = copied(all.view());
-    const auto lose = [&](std::int64_t i, std::int64_t p, double value) {
-        std::fill_n(all.row(i) + 3 * p, 3, value);
-    };
-    for (const std::int64_t i : {2, 3, 4, 8})
-        lose(i, 0, 0);
-    all(5, 3 + 1) = gap; // a point without one coordinate is missing
-    for (const std::int64_t i : {0, 1, 9})
-        lose(i, 2, gap);
-    for (std::int64_t i = 0; i < 6; ++i)
-        lose(i, 3, 0);
-    const Gaps gaps = fill_gaps(all, 3, GapRule::fill, 0);
-    assert_true(gaps.seen == (std::vector<std::int64_t>{0, 1, 2}) && gaps.filled == gaps.seen);
-    assert_true(gaps.dropped == std::vector<std::int64_t>{3} && gaps.frames == 8);
-    for (std::int64_t i = 0; i < 10; ++i)
-        for (std::int64_t c = 0; c < 12; ++c) {
-            const std::int64_t from = c < 6 ? i : std::clamp<std::int64_t>(i, 2, 8);
-            ASSERT_NEAR(all(i, c), c < 9 ? whole(from, c) : 0, 1e-12);
-        }
-}
-
-void half_of_the_frames_are_enough(void**) {
-    for (const std::int64_t missing : {5, 6, 10}) {
-        Matrix all(10, 3);
-        for (std::int64_t i = missing; i < 10; ++i)
-            all(i, 0) = 7;
-        assert_int_equal(fill_gaps(all, 3, GapRule::fill, 0).dropped.size(), missing > 5);
-        assert_true(all(0, 0) == (missing > 5 ? 0 : 7));
-    }
+void features_of_a_body_that_comes_and_goes(void**) {
+    const Clip whole = walker(20, [](double t) { return Place{1.3 * t, 0, 0, 0.1 * t}; });
+    Clip clip = whole;
+    for (std::int64_t i = 0; i < clip.frames(); ++i)
+        if (i < 500 || i >= 900)
+            std::fill_n(clip.values.row(i), 30, gap);
+    Clip alone = whole;
+    alone.values = copied(whole.values.view().block(500, 400));
+    const FeatureRows made = points(clip, Axis::z, GapRule::fill);
+    const Matrix wanted = rows(alone);
+    assert_int_equal(made.rows.rows(), clip.frames());
+    for (std::int64_t i = 0; i < clip.frames(); ++i)
+        assert_memory_equal(made.rows.row(i), wanted.row(std::clamp<std::int64_t>(i - 500, 0, 399)),
+                            30 * sizeof(double));
+    assert_true(made.notes.front() ==
+                "frames 0 to 499: most points are missing, so no motion is found there");
+    ASSERT_FAILS(Status::not_finite, "frames 0 to 499: most points are missing",
+                 points(clip, Axis::z, GapRule::refuse));
 }
 
 void points_without_names_have_numbers(void**) {
@@ -364,6 +348,48 @@ void long_gaps_are_predicted(void**) {
                  points(clip, Axis::z, GapRule::refuse));
 }
 
+/// At an end there is no line to a later place, however short the gap is.
+void gaps_at_the_ends_are_predicted(void**) {
+    const Clip whole = walker(20, [](double t) { return Place{1.3 * t}; });
+    const Matrix wanted = rows(whole);
+    Clip clip = whole;
+    for (std::int64_t i = 0; i < 12; ++i) {
+        std::fill_n(clip.values.row(i) + 6, 3, gap);
+        std::fill_n(clip.values.row(clip.frames() - 1 - i) + 9, 3, gap);
+    }
+    const Matrix off = difference(rows(clip), wanted);
+    for (std::int64_t i = 0; i < 12; ++i)
+        printf("%g %g %g  %g %g %g\n", off(i, 6), off(i, 7), off(i, 8),
+               off(clip.frames() - 1 - i, 9), off(clip.frames() - 1 - i, 10),
+               off(clip.frames() - 1 - i, 11));
+    for (std::int64_t i = 0; i < 12; ++i)
+        for (std::int64_t c = 0; c < 3; ++c) {
+            ASSERT_NEAR(off(i, 6 + c), 0, 0.02); // held in place: 0.2
+            ASSERT_NEAR(off(clip.frames() - 1 - i, 9 + c), 0, 0.02);
+        }
+}
+
+/// Nothing, one value, one frame.
+void hostile_gaps(void**) {
+    Clip nothing = walker_in_place();
+    std::fill_n(nothing.values.data(), nothing.values.rows() * 30, gap);
+    ASSERT_FAILS(Status::not_finite, "all points are missing",
+                 points(nothing, Axis::z, GapRule::fill));
+    nothing.values(700, 4) = 1; // a point needs three
+    ASSERT_FAILS(Status::not_finite, "all points are missing",
+                 points(nothing, Axis::z, GapRule::fill));
+    std::fill_n(nothing.values.row(700), 3, 1.0);
+    const FeatureRows one = points(nothing, Axis::z, GapRule::fill);
+    assert_true(one.holes == (std::vector<Frames>{{0, 700}, {701, 1200}}));
+    for (std::int64_t i = 0; i < 1200; ++i)
+        assert_true(one.rows(i, 0) == 1 && one.rows(i, 29) == 0);
+    Clip frame = walker_in_place();
+    frame.values = copied(frame.values.view().block(0, 1));
+    std::fill_n(frame.values.data(), 6, gap);
+    const FeatureRows made = points(frame, Axis::z, GapRule::fill);
+    assert_true(made.rows.rows() == 1 && made.holes.empty() && std::isfinite(made.rows(0, 6)));
+}
+
 /// While most points are gone for long, nothing is known.
 void holes_are_found(void**) {
     Clip clip = walker_in_place();
@@ -450,8 +476,7 @@ int main() {
         cmocka_unit_test(slow_height_is_removed),
         cmocka_unit_test(points_in_a_plane_keep_their_heading),
         cmocka_unit_test(heading_is_held_while_the_shape_collapses),
-        cmocka_unit_test(gaps_are_filled_linearly),
-        cmocka_unit_test(half_of_the_frames_are_enough),
+        cmocka_unit_test(features_of_a_body_that_comes_and_goes),
         cmocka_unit_test(points_without_names_have_numbers),
         cmocka_unit_test(missing_points_do_not_move_the_others),
         cmocka_unit_test(too_few_points_stay),
@@ -460,6 +485,8 @@ int main() {
         cmocka_unit_test(works_without_a_frame_rate),
         cmocka_unit_test(csv_of_points_may_have_gaps),
         cmocka_unit_test(long_gaps_are_predicted),
+        cmocka_unit_test(gaps_at_the_ends_are_predicted),
+        cmocka_unit_test(hostile_gaps),
         cmocka_unit_test(holes_are_found),
         cmocka_unit_test(points_in_two_dimensions),
         cmocka_unit_test(points_that_jump_away_and_back_are_missing),

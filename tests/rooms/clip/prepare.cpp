@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "clip/features/features.hpp"
@@ -232,6 +233,28 @@ void features_of_all_frames_hold_the_samples(void**) {
         }
 }
 
+/// Samples begin when the body comes and end when it leaves, as those of the stretch alone do.
+void samples_are_of_the_body(void**) {
+    Clip clip = turning(900, 120, 0);
+    clip.skeleton.reset();
+    Clip alone = clip;
+    alone.values = copied(clip.values.view().block(301, 400));
+    for (std::int64_t i = 0; i < 900; ++i)
+        if (i < 301 || i >= 701)
+            clip.values(i, 0) = std::numeric_limits<double>::quiet_NaN();
+    PrepareOptions options;
+    options.keep_rows = true;
+    const Prepared prepared = prepare(clip, options), expected = prepare(alone, options);
+    assert_int_equal(prepared.first, 301);
+    assert_int_equal(prepared.samples.rows(), 100);
+    check_same(prepared.samples, expected.samples, 0);
+    check_same(prepared.rows, expected.rows, 0);
+    assert_true(prepared.holes == (std::vector<Frames>{{0, 301}, {701, 900}}));
+    const Matrix all = smoothed_features(clip, Features::raw, Axis::none, options.smoothing, true);
+    for (std::int64_t i = 0; i < 100; ++i)
+        assert_true(all(301 + 4 * i, 0) == prepared.samples(i, 0));
+}
+
 /// A cut at `frame`, but no T-pose.
 Clip cut_at(std::int64_t frame, double size) {
     std::vector<double> values;
@@ -299,6 +322,7 @@ int main() {
         cmocka_unit_test(smoothing_keeps_speed_to_the_ends),
         cmocka_unit_test(smoothing_ignores_dropped_frames),
         cmocka_unit_test(features_of_all_frames_hold_the_samples),
+        cmocka_unit_test(samples_are_of_the_body),
         cmocka_unit_test(finds_the_frame_of_a_cut),
         cmocka_unit_test(a_blow_is_not_a_cut),
         cmocka_unit_test(bare_matrices_have_no_tpose),

@@ -35,25 +35,61 @@ void check_range(const Draft& found, SegmentKind kind, double begin, double end)
     ASSERT_NEAR(found.end, end, 0);
 }
 
-void a_rest_that_is_a_hole_becomes_a_border(void**) {
+void check_hole(const Draft& found, double begin, double end) {
+    check_range(found, SegmentKind::rest, begin, end);
+    assert_true(found.is_hole && found.reason == "nothing recorded" && found.label < 0);
+}
+
+void a_hole_says_that_nothing_was_recorded(void**) {
     const auto action = SegmentKind::action, rest = SegmentKind::rest;
     std::vector<Draft> drafts{draft(action, 0, 100), draft(rest, 100, 120),
                               draft(action, 120, 200)};
-    divide_at_holes({{102, 116}}, fps, drafts);
-    assert_int_equal(drafts.size(), 2);
-    check_range(drafts[0], action, 0, 109);
-    check_range(drafts[1], action, 109, 200);
-    // At the ends, the neighbor gets all of it; a hole beyond all drafts changes nothing.
+    divide_at_holes({{102, 116.5}}, fps, drafts);
+    assert_int_equal(drafts.size(), 3);
+    check_range(drafts[0], action, 0, 102);
+    check_hole(drafts[1], 102, 116.5);
+    check_range(drafts[2], action, 116.5, 200);
+    // At the ends; a hole beyond all drafts changes nothing.
     drafts = {draft(rest, 0, 20), draft(action, 20, 100), draft(rest, 100, 120)};
     divide_at_holes({{0, 18}, {102, 120}, {300, 320}}, fps, drafts);
-    assert_int_equal(drafts.size(), 1);
-    check_range(drafts[0], action, 0, 120);
+    assert_int_equal(drafts.size(), 3);
+    check_hole(drafts[0], 0, 18);
+    check_range(drafts[1], action, 18, 102);
+    check_hole(drafts[2], 102, 120);
     // A rest that is half a second longer than the hole is one, before and after it.
     drafts = {draft(action, 0, 100), draft(rest, 100, 135), draft(action, 135, 200)};
     divide_at_holes({{110, 120}}, fps, drafts);
-    assert_int_equal(drafts.size(), 4);
-    check_range(drafts[1], rest, 100, 115);
-    check_range(drafts[2], rest, 115, 135);
+    assert_int_equal(drafts.size(), 5);
+    check_range(drafts[1], rest, 100, 110);
+    check_hole(drafts[2], 110, 120);
+    check_range(drafts[3], rest, 120, 135);
+    // Two holes close together, in one rest.
+    drafts = {draft(action, 0, 100), draft(rest, 100, 125), draft(action, 125, 200)};
+    divide_at_holes({{100, 110}, {114, 124}}, fps, drafts);
+    assert_int_equal(drafts.size(), 5);
+    check_hole(drafts[1], 100, 110);
+    check_range(drafts[2], rest, 110, 114);
+    check_hole(drafts[3], 114, 124);
+    check_range(drafts[4], action, 124, 200);
+    // The last cycle may end just within it.
+    drafts = {draft(SegmentKind::cyclic, 0, 200)};
+    drafts[0].stretches = {stretch(10, 90.5)};
+    divide_at_holes({{90, 120}}, fps, drafts);
+    assert_int_equal(drafts.size(), 3);
+    check_range(drafts[0], SegmentKind::cyclic, 0, 90.5);
+    check_hole(drafts[1], 90.5, 120);
+}
+
+/// Where a clip was cut, nothing is missing.
+void a_rest_at_a_cut_becomes_a_border(void**) {
+    const auto action = SegmentKind::action, rest = SegmentKind::rest;
+    std::vector<Draft> drafts{draft(action, 0, 100), draft(rest, 100, 108),
+                              draft(action, 108, 200)};
+    divide_at_holes({{103, 103}, {150, 150}}, fps, drafts);
+    assert_int_equal(drafts.size(), 3);
+    check_range(drafts[0], action, 0, 103);
+    check_range(drafts[1], action, 103, 150);
+    check_range(drafts[2], action, 150, 200);
 }
 
 void no_motion_continues_over_a_hole(void**) {
@@ -62,27 +98,28 @@ void no_motion_continues_over_a_hole(void**) {
     drafts[0].gain = 7;
     drafts[0].stretches = {stretch(10, 50), stretch(50, 80), stretch(110, 150)};
     divide_at_holes({{90, 100}, {170, 180}}, fps, drafts);
-    assert_int_equal(drafts.size(), 3);
-    check_range(drafts[0], cyclic, 0, 95);
+    assert_int_equal(drafts.size(), 5);
+    check_range(drafts[0], cyclic, 0, 90);
     assert_int_equal(drafts[0].stretches.size(), 2);
     ASSERT_NEAR(drafts[0].gain, 7, 0);
-    check_range(drafts[1], cyclic, 95, 175);
-    assert_int_equal(drafts[1].stretches.size(), 1);
-    ASSERT_NEAR(drafts[1].stretches[0].borders.front(), 110, 0);
-    ASSERT_NEAR(drafts[1].gain, 0, 0);
+    check_hole(drafts[1], 90, 100);
+    check_range(drafts[2], cyclic, 100, 170);
+    assert_int_equal(drafts[2].stretches.size(), 1);
+    ASSERT_NEAR(drafts[2].stretches[0].borders.front(), 110, 0);
+    ASSERT_NEAR(drafts[2].gain, 0, 0);
     // What follows has no cycle any more.
-    check_range(drafts[2], action, 175, 200);
-    assert_true((drafts[2].motions == std::vector<Rows>{{175, 200}}));
+    check_range(drafts[4], action, 180, 200);
+    assert_true((drafts[4].motions == std::vector<Rows>{{175, 200}}));
 
     drafts = {draft(SegmentKind::repetitions, 0, 90)};
     drafts[0].motions = {{0, 20}, {25, 40}, {60, 90}};
     divide_at_holes({{45, 55}}, fps, drafts);
-    assert_int_equal(drafts.size(), 2);
-    check_range(drafts[0], SegmentKind::repetitions, 0, 50);
+    assert_int_equal(drafts.size(), 3);
+    check_range(drafts[0], SegmentKind::repetitions, 0, 45);
     assert_int_equal(drafts[0].motions.size(), 2);
     // One repetition is none.
-    check_range(drafts[1], action, 50, 90);
-    assert_true((drafts[1].motions == std::vector<Rows>{{60, 90}}));
+    check_range(drafts[2], action, 55, 90);
+    assert_true((drafts[2].motions == std::vector<Rows>{{60, 90}}));
 }
 
 void neighbors_of_one_label_are_joined(void**) {
@@ -250,7 +287,8 @@ void the_last_repetition_is_taken_from_what_follows(void**) {
 
 int main() {
     const CMUnitTest tests[] = {
-        cmocka_unit_test(a_rest_that_is_a_hole_becomes_a_border),
+        cmocka_unit_test(a_hole_says_that_nothing_was_recorded),
+        cmocka_unit_test(a_rest_at_a_cut_becomes_a_border),
         cmocka_unit_test(no_motion_continues_over_a_hole),
         cmocka_unit_test(neighbors_of_one_label_are_joined),
         cmocka_unit_test(the_most_alike_are_merged_first),

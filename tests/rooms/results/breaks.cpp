@@ -108,17 +108,31 @@ Clip without(const std::vector<clip::Frames>& frames) {
 }
 
 void a_long_gap_is_a_break(void**) {
-    // A gap of 0.2 s is filled; those at the ends have nothing beyond them.
+    // A gap of 0.2 s is filled; nothing is there before the first frame and after the last.
     const Fitted model = fitted(without({{0, 20}, {100, 106}, {300, 320}, {580, 600}}));
-    assert_true(model.lengths == Lengths({600}));
-    assert_true(model.model.lengths == Lengths({310, 290}));
-    for (std::size_t i = 0; i < 600; ++i)
-        assert_int_equal(model.model.component_of[i], i < 310 ? 0 : 1);
+    assert_true(model.lengths == Lengths({560}));
+    assert_true(model.model.lengths == Lengths({290, 270}));
+    assert_int_equal(model.source.samples.first, 20);
+    for (std::size_t i = 0; i < 560; ++i)
+        assert_int_equal(model.model.component_of[i], i < 290 ? 0 : 1);
 
     std::string bytes;
     archive_model(model, results::archive_size(model), [&](std::string_view b) { bytes += b; });
     const Fitted again = results::restore_model(bytes);
     assert_true(again.lengths == model.lengths && again.model.lengths == model.model.lengths);
+}
+
+/// The first sample after a break is not before it.
+void samples_are_on_their_side_of_a_break(void**) {
+    clip::PrepareOptions prepare = plain();
+    prepare.rate = 10; // every third frame
+    const auto runs_of = [&](const Clip& clip) {
+        const Clip* only = &clip;
+        return results::prepare_clips({&only, 1}, prepare, {}).lengths.runs;
+    };
+    // Frame 198 is sample 66; frame 200 begins another stretch.
+    assert_true(runs_of(clip::cut(circles(), {{0, 200}, {350, 600}})) == Lengths({67, 83}));
+    assert_true(runs_of(without({{300, 321}})) == Lengths({104, 96})); // middle: frame 310
 }
 
 void a_stretch_that_is_too_short_is_named(void**) {
@@ -145,6 +159,7 @@ int main() {
         cmocka_unit_test(a_broken_clip_is_fitted_like_two),
         cmocka_unit_test(a_broken_clip_is_smoothed_like_two),
         cmocka_unit_test(a_long_gap_is_a_break),
+        cmocka_unit_test(samples_are_on_their_side_of_a_break),
         cmocka_unit_test(a_stretch_that_is_too_short_is_named),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);

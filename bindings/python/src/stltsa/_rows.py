@@ -35,8 +35,9 @@ class Segment(NamedTuple):
     motion share a `label`, "A", "B", ... in order of appearance; that of a rest is empty. `number`
     is that of cycles or repetitions. `carried_by` names the joints, markers or columns that move
     most. The first step of a cycle takes `first_step_share` of it; its 95 % interval reaches
-    `first_step_margin` to each side. `steps_reason` says why there are no steps. Numbers that do
-    not apply are NaN.
+    `first_step_margin` to each side. `steps_reason` says why there are no steps. If the
+    `reason` of a rest is "nothing recorded", most of the body is missing. Numbers that do not apply
+    are NaN.
     """
 
     kind: str

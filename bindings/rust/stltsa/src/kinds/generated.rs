@@ -134,7 +134,8 @@ kinds! {
     }
     /// What becomes of missing points.
     Gaps {
-        /// Gaps up to 0.25 s between two frames of the clip: linearly over time; others: as skip.
+        /// Gaps up to 0.25 s between two frames of the clip: linearly over time, points relative to
+        /// the path of the body; others: as skip.
         Fill = STLTSA_GAPS_FILL,
         /// E_NOT_FINITE.
         Refuse = STLTSA_GAPS_REFUSE,
