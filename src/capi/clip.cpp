@@ -27,17 +27,14 @@ namespace {
 constexpr bool same(clip::Format format, int value) {
     return static_cast<int>(format) == value;
 }
-static_assert(same(clip::Format::bvh, STLTSA_FORMAT_BVH) &&
-              same(clip::Format::amc, STLTSA_FORMAT_AMC) &&
-              same(clip::Format::csv, STLTSA_FORMAT_CSV) &&
-              same(clip::Format::npy, STLTSA_FORMAT_NPY) &&
-              same(clip::Format::matrix, STLTSA_FORMAT_MATRIX) &&
-              same(clip::Format::points, STLTSA_FORMAT_POINTS) &&
-              same(clip::Format::skeleton, STLTSA_FORMAT_SKELETON) &&
-              same(clip::Format::glb, STLTSA_FORMAT_GLB) &&
-              same(clip::Format::c3d, STLTSA_FORMAT_C3D) &&
-              same(clip::Format::trc, STLTSA_FORMAT_TRC) &&
-              same(clip::Format::mot, STLTSA_FORMAT_MOT));
+static_assert(
+    same(clip::Format::bvh, STLTSA_FORMAT_BVH) && same(clip::Format::amc, STLTSA_FORMAT_AMC) &&
+    same(clip::Format::csv, STLTSA_FORMAT_CSV) && same(clip::Format::npy, STLTSA_FORMAT_NPY) &&
+    same(clip::Format::matrix, STLTSA_FORMAT_MATRIX) &&
+    same(clip::Format::points, STLTSA_FORMAT_POINTS) &&
+    same(clip::Format::skeleton, STLTSA_FORMAT_SKELETON) &&
+    same(clip::Format::glb, STLTSA_FORMAT_GLB) && same(clip::Format::c3d, STLTSA_FORMAT_C3D) &&
+    same(clip::Format::trc, STLTSA_FORMAT_TRC) && same(clip::Format::mot, STLTSA_FORMAT_MOT));
 
 const clip::Skeleton& skeleton_of(const stltsa_clip& clip) {
     if (!clip.clip.skeleton)

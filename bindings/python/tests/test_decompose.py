@@ -79,16 +79,31 @@ def test_the_same_motion_after_pauses():
 def test_a_body_that_comes_late_and_leaves_early():
     t = np.arange(840) / 100
     swing = np.sin(2 * np.pi * t / 1.05)
-    points = np.stack([np.stack([1.2 * t + (0.05 + 0.03 * p) * (-1) ** p * swing,
-                                 0.1 * (-1) ** p + 0.01 * p + 0 * t, 0.3 * p + 0 * t], axis=1)
-                       for p in range(6)], axis=1)
+    points = np.stack(
+        [
+            np.stack(
+                [
+                    1.2 * t + (0.05 + 0.03 * p) * (-1) ** p * swing,
+                    0.1 * (-1) ** p + 0.01 * p + 0 * t,
+                    0.3 * p + 0 * t,
+                ],
+                axis=1,
+            )
+            for p in range(6)
+        ],
+        axis=1,
+    )
     points[:320] = points[690:] = np.nan
     found = stltsa.decompose(stltsa.Clip.from_points(points, fps=100))
     assert [(one.kind, one.begin, one.end) for one in found.segment_list] == [
-        ("rest", 0, 320), ("cyclic", 320, 690), ("rest", 690, 840)]
+        ("rest", 0, 320),
+        ("cyclic", 320, 690),
+        ("rest", 690, 840),
+    ]
     assert [one.reason for one in found.segment_list][::2] == ["nothing recorded"] * 2
     assert found.period == pytest.approx(1.05, abs=0.01)
-    assert found.unit_list[0].begin == 0 and found.unit_list[-1].end == 840
+    assert found.unit_list[0].begin == 0
+    assert found.unit_list[-1].end == 840
 
 
 def test_tables_are_frames(result):

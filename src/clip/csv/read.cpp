@@ -326,7 +326,7 @@ class CsvReader {
     std::vector<std::string> subjects_; ///< of the rows
     bool may_end_early_ = false;
     bool may_have_text_ = true; ///< columns of text
-    std::size_t padded_ = 0; ///< cells that rows lack at their end
+    std::size_t padded_ = 0;    ///< cells that rows lack at their end
     std::int64_t short_rows_ = 0;
 };
 
