@@ -136,6 +136,26 @@ void a_closed_clip_is_one_cycle(void**) {
     assert_true(answer(Recorder().action(1.1, 0).samples(0)).cycles.empty());
 }
 
+/// Strides in a walk around a circle, of which there is little more than one turn.
+void strides_count_if_the_longest_lag_gives_no_cycle(void**) {
+    const auto rows = static_cast<std::int64_t>(6.4 * fps);
+    Matrix samples(rows, 6);
+    Random random(1);
+    for (std::int64_t i = 0; i < rows; ++i) {
+        const double t = 2 * std::numbers::pi * static_cast<double>(i) / fps;
+        const double stride = t / 1.6, circle = t / 5;
+        const double row[] = {std::sin(stride),           std::cos(stride),
+                              0.4 * std::sin(2 * stride), 1.75 * std::sin(circle),
+                              1.75 * std::cos(circle),    0.5 * std::sin(3 * circle + 1)};
+        for (std::int64_t c = 0; c < 6; ++c)
+            samples(i, c) = row[c] + 0.003 * random.symmetric();
+    }
+    const Recording found = answer(samples);
+    assert_int_equal(found.segments.size(), 1);
+    assert_int_equal(found.cycles.size(), 3);
+    ASSERT_NEAR(found.segments[0].period / fps, 1.6, 0.02);
+}
+
 /// As many segments as asked for, or an error that says how many there can be.
 void the_number_of_segments_may_be_given(void**) {
     const Matrix samples = Recorder()
@@ -329,6 +349,7 @@ int main() {
         cmocka_unit_test(equal_cycles_are_equally_long),
         cmocka_unit_test(a_clip_of_one_motion_is_one_segment),
         cmocka_unit_test(a_closed_clip_is_one_cycle),
+        cmocka_unit_test(strides_count_if_the_longest_lag_gives_no_cycle),
         cmocka_unit_test(the_number_of_segments_may_be_given),
         cmocka_unit_test(rests_are_found_in_noise),
         cmocka_unit_test(repetitions_with_a_short_pause_are_counted),
