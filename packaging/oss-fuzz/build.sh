@@ -4,7 +4,7 @@
 set -euo pipefail
 meson setup build -Dfuzz=true -Dfuzz_engine="$LIB_FUZZING_ENGINE" -Dtools=false -Dsparse=ldl \
     -Db_lundef=false -Dbuildtype=plain
-for target in acclaim api bvh c3d csv model npy; do
+for target in acclaim api bvh c3d csv model mot npy trc; do
     ninja -C build "tests/fuzz/fuzz_$target"
     cp "build/tests/fuzz/fuzz_$target" "$OUT/"
     zip --quiet --junk-paths "$OUT/fuzz_${target}_seed_corpus.zip" "tests/fuzz/corpus/$target/"*
