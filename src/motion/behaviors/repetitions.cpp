@@ -24,7 +24,6 @@ constexpr double still = 0.15;
 constexpr double shortest_rest_s = 0.3;
 /// What covers less than the path of this time at the usual speed is no motion but noise.
 constexpr double min_path_s = 0.2;
-constexpr double shortest_action_s = 0.25;
 /// A rest away from home ends a motion only if it lasts longer than this; even then the motion may
 /// go on after it, up to the second limit, since arms may be held up.
 constexpr double long_rest_s = 1;
@@ -55,12 +54,11 @@ double extent(const Signal& signal, Rows rows) {
     return most;
 }
 
-/// What lies between rests within the range, if it is long enough to be an action.
-void append_actions(const std::vector<Rows>& rests, Rows range, std::int64_t least,
-                    std::vector<Rows>& actions) {
+/// What lies between rests within the range.
+void append_actions(const std::vector<Rows>& rests, Rows range, std::vector<Rows>& actions) {
     std::int64_t at = range.begin;
     const auto close = [&](std::int64_t end) {
-        if (end - at >= least)
+        if (end > at)
             actions.push_back({at, end});
     };
     for (const Rows& rest : rests) {
@@ -70,10 +68,6 @@ void append_actions(const std::vector<Rows>& rests, Rows range, std::int64_t lea
         at = std::min(rest.end, range.end);
     }
     close(range.end);
-}
-
-std::int64_t least_action(const Signal& signal) {
-    return static_cast<std::int64_t>(std::ceil(shortest_action_s * signal.rate));
 }
 
 /// For each rest whether the body is in the home posture.
@@ -182,7 +176,7 @@ Pauses find_pauses(const Signal& signal, const std::vector<Rows>& rests) {
     if (rests.empty())
         return pauses;
     std::vector<Rows> actions;
-    append_actions(rests, {0, signal.rows()}, least_action(signal), actions);
+    append_actions(rests, {0, signal.rows()}, actions);
     std::vector<double> extents;
     for (const Rows& action : actions)
         extents.push_back(extent(signal, action));
@@ -199,7 +193,7 @@ std::vector<Rows> find_motions(const Signal& signal, const Pauses& pauses,
                                const std::vector<Rows>& ranges) {
     std::vector<Rows> actions;
     for (const Rows& range : ranges)
-        append_actions(pauses.rests, range, least_action(signal), actions);
+        append_actions(pauses.rests, range, actions);
     const auto holds_at = [&](std::int64_t row) { // a pause away from home begins here
         const auto rest = std::ranges::lower_bound(pauses.rests, row, {}, &Rows::begin);
         return rest != pauses.rests.end() && rest->begin == row &&
