@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "motion/behaviors/behaviors.hpp"
 
+#include <algorithm>
+
+#include "base/progress.hpp"
 #include "motion/behaviors/grouping.hpp"
 #include "motion/behaviors/likeness.hpp"
 
 namespace stltsa::motion {
 namespace {
+
+/// Borders that are asked for gain at least this.
+constexpr double least_gain = 0.1;
 
 /// Leaves out borders between neighbors that are one behavior.
 std::vector<std::int64_t> without_alike(const KernelFeatures& features,
@@ -33,13 +39,52 @@ std::vector<std::int64_t> without_alike(const KernelFeatures& features,
     return kept;
 }
 
+/// Where a range of moments is divided best, and what that gains.
+struct Split {
+    double gain = 0;
+    std::int64_t at = 0;
+};
+
+Split best_split(const KernelFeatures& features, std::int64_t begin, std::int64_t end,
+                 PacedPoll& polls) {
+    Split best;
+    polls.did((end - begin) * features.size());
+    for (std::int64_t at = begin + 1; at < end; ++at)
+        if (const double gain = features.gain(begin, at, end); gain > best.gain)
+            best = {gain, at};
+    return best;
+}
+
+/// Adds the border that gains most, and so on.
+void add_borders(const KernelFeatures& features, std::int64_t count,
+                 std::vector<std::int64_t>& borders, const std::function<void()>& poll) {
+    PacedPoll polls(poll);
+    borders.insert(borders.begin(), 0);
+    borders.push_back(features.count());
+    std::vector<Split> splits; // of the range that begins at each border
+    for (std::size_t i = 0; i + 1 < borders.size(); ++i)
+        splits.push_back(best_split(features, borders[i], borders[i + 1], polls));
+    for (; count > 0; --count) {
+        const auto best = std::ranges::max_element(splits, {}, &Split::gain);
+        if (best->gain < least_gain)
+            break;
+        const auto i = static_cast<std::size_t>(best - splits.begin());
+        borders.insert(borders.begin() + static_cast<std::ptrdiff_t>(i) + 1, best->at);
+        splits.insert(best, best_split(features, borders[i], borders[i + 1], polls));
+        splits[i + 1] = best_split(features, borders[i + 1], borders[i + 2], polls);
+    }
+    borders.pop_back();
+    borders.erase(borders.begin());
+}
+
 } // namespace
 
-std::vector<std::int64_t> behavior_borders(const KernelFeatures& features, double price,
+std::vector<std::int64_t> behavior_borders(const KernelFeatures& features, std::int64_t more,
                                            const std::function<void()>& poll) {
-    std::vector<std::int64_t> borders = change_points(features, price, poll);
-    if (price >= border_price(features))
-        borders = without_alike(features, borders, poll);
+    std::vector<std::int64_t> borders =
+        without_alike(features, change_points(features, border_price(features), poll), poll);
+    if (more > 0)
+        add_borders(features, more, borders, poll);
     for (std::int64_t& border : borders)
         border *= features.step();
     return borders;

@@ -20,18 +20,21 @@ namespace {
 constexpr std::int64_t min_samples = 4;
 /// Shorter recordings are not searched for changes of behavior.
 constexpr double shortest_divided_s = 6;
-/// If more segments are wanted, the price of a border falls by this factor, down to the least.
-constexpr double cheaper = 0.5;
-constexpr double least_price = 0.1;
+/// If more segments are wanted, borders are added so many times, more each time: many only divide
+/// what is put together again, such as a rest or the change from one motion to the next.
+constexpr int most_rounds = 8;
 
-/// As many segments in motion as wanted: finer divisions, of which neighbors are merged.
-void fit_number(const KernelFeatures& features, std::int64_t wanted,
-                const std::function<std::vector<Draft>(double price)>& drafts_at,
-                std::vector<Draft>& drafts) {
-    std::int64_t most = moving(drafts);
-    for (double price = border_price(features); most < wanted && price > least_price;) {
-        price *= cheaper;
-        std::vector<Draft> finer = drafts_at(price);
+/// As many segments in motion as wanted. `drafts`: with the borders that are found; `joined`: the
+/// same, with neighbors of one behavior joined.
+std::vector<Draft> fit_number(const KernelFeatures& features, std::int64_t wanted,
+                              const std::function<std::vector<Draft>(std::int64_t more)>& drafts_at,
+                              std::vector<Draft> joined, std::vector<Draft> drafts) {
+    if (moving(joined) >= wanted)
+        drafts.swap(joined);
+    std::int64_t more = 0, most = moving(drafts);
+    for (int round = 0; most < wanted && round < most_rounds; ++round) {
+        more += more + wanted - most;
+        std::vector<Draft> finer = drafts_at(more);
         if (const std::int64_t found = moving(finer); found > most) {
             most = found;
             drafts.swap(finer);
@@ -43,6 +46,7 @@ void fit_number(const KernelFeatures& features, std::int64_t wanted,
              "at most {}",
              wanted, most, most);
     merge_to(features, wanted, drafts);
+    return drafts;
 }
 
 /// The holes in rows of the signal.
@@ -105,21 +109,23 @@ Recording analyze(ConstMatrixView samples, double fps, const Options& options,
         return [&progress, fraction] { progress.report(Stage::units, fraction); };
     };
     const KernelFeatures features(signal, options.rotations, poll_at(0));
-    const auto drafts_at = [&](double price) {
+    const auto drafts_at = [&](std::int64_t more) {
         const std::vector<Part> parts =
-            divide(signal, {seconds > shortest_divided_s ? &features : nullptr, price, holes},
+            divide(signal, {seconds > shortest_divided_s ? &features : nullptr, more, holes},
                    {rests, pauses.rests}, options.periods, progress);
         std::vector<Draft> drafts =
             make_drafts(signal, parts, pauses, features.of_shapes(), poll_at(1));
         merge_shapes(features, parts, drafts);
         return drafts;
     };
-    std::vector<Draft> drafts = drafts_at(border_price(features));
-    if (options.segments)
-        fit_number(features, *options.segments, drafts_at, drafts);
+    std::vector<Draft> found = drafts_at(0), drafts = found;
     set_labels(features, drafts, poll_at(1));
-    if (!options.segments)
-        join_neighbors(drafts);
+    join_neighbors(drafts);
+    if (options.segments) {
+        drafts =
+            fit_number(features, *options.segments, drafts_at, std::move(drafts), std::move(found));
+        set_labels(features, drafts, poll_at(1));
+    }
     divide_at_holes(exact_holes, signal.rate, drafts);
     return answer_of({signal, features, pauses}, std::move(drafts), samples, options, poll_at(1));
 }

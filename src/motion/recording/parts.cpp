@@ -176,7 +176,7 @@ std::vector<Part> undecided(const Signal& signal, const Borders& borders,
     std::vector<std::int64_t> rows{0};
     if (borders.features != nullptr)
         for (const std::int64_t row :
-             behavior_borders(*borders.features, borders.price, progress.poll()))
+             behavior_borders(*borders.features, borders.more, progress.poll()))
             rows.push_back(moved_to_rest(signal, rests, row));
     rows.push_back(signal.rows());
     const auto beside = static_cast<std::int64_t>(beside_hole_s * signal.rate);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A recording divided where its behavior changes, with the cycles of each part. Borders within one
-// behavior are removed again.
+// A recording divided where its behavior changes, with the cycles of each part.
 #pragma once
 
 #include <span>
@@ -27,8 +26,7 @@ struct Part {
 /// The borders that divide a recording.
 struct Borders {
     const KernelFeatures* features = nullptr; ///< null: not divided by behavior
-    /// Price of a border; if it is below border_price(), borders within one behavior are kept.
-    double price = 0;
+    std::int64_t more = 0;                    ///< borders to add to those that are found
     /// In ascending order, disjoint. Each is a separate part without cycles, so that the rows on
     /// one side of a hole get the result that they would get alone.
     std::span<const Rows> holes;

@@ -211,7 +211,7 @@ void steps_of_long_recordings_poll(void**) {
     std::vector<std::int64_t> borders;
     check_polls(30, [&] { KernelFeatures(signal, {}, poll); });
     check_polls(7, [&] { borders = change_points(features, border_price(features), poll); });
-    check_polls(190, [&] { behavior_borders(features, border_price(features), poll); });
+    check_polls(190, [&] { behavior_borders(features, 0, poll); });
     check_polls(36, [&] { track_period(signal, {0, signal.rows()}, {}, poll); });
     check_polls(1000, [&] {
         group(
