@@ -10,7 +10,7 @@ namespace stltsa::clip {
 namespace {
 
 /// The mean is of at most so many rows, evenly chosen.
-constexpr std::int64_t most_rows = 1000;
+constexpr std::int64_t most_measured = 1000;
 
 struct Place {
     std::array<double, 3> at = {};
@@ -23,7 +23,7 @@ Place place_of(const Matrix& rows, int width, std::int64_t group) {
         place.at[0] = static_cast<double>(group);
         return place;
     }
-    const std::int64_t step = 1 + (rows.rows() - 1) / most_rows;
+    const std::int64_t step = 1 + (rows.rows() - 1) / most_measured;
     const auto count = static_cast<double>((rows.rows() - 1) / step + 1);
     for (std::int64_t i = 0; i < rows.rows(); i += step)
         for (int c = 0; c < width; ++c)

@@ -14,9 +14,9 @@ namespace stltsa::clip {
 namespace {
 
 /// Rows from which the covariance is estimated are at most so many, evenly chosen.
-constexpr std::int64_t most_rows = 5000;
+constexpr std::int64_t most_estimated = 5000;
 /// Repetitions of the estimate: a fifth changes no border of the marker clips.
-constexpr int rounds = 4;
+constexpr int prediction_rounds = 4;
 /// Added to the variances, as a share of their mean, so that points that move together exactly
 /// leave the matrix regular.
 constexpr double ridge = 1e-4;
@@ -47,7 +47,7 @@ struct Moments {
         : covariance(columns.count(), columns.count()) {
         const std::int64_t rows = columns.rows.rows();
         const std::int64_t cols = columns.count();
-        const std::int64_t step = 1 + (rows - 1) / most_rows;
+        const std::int64_t step = 1 + (rows - 1) / most_estimated;
         const auto count = static_cast<double>((rows - 1) / step + 1);
         mean.resize(static_cast<std::size_t>(cols));
         for (std::int64_t i = 0; i < rows; i += step)
@@ -153,8 +153,8 @@ void predict(const Columns& columns, int width, const Pattern& pattern, const Mo
         for (const std::int64_t c : missing)
             known[static_cast<std::size_t>(c)] = 0;
         for (std::int64_t k = 0; k < order; ++k)
-            right(i, k) = -dot(precision.row(missing[static_cast<std::size_t>(k)]), known.data(),
-                               columns.count());
+            right(i, k) = -stltsa::dot(precision.row(missing[static_cast<std::size_t>(k)]),
+                                       known.data(), columns.count());
         polls.did(order * (columns.count() + order));
     }
     system.solve(right.view(), Machine());
@@ -180,7 +180,7 @@ void predict_set(Matrix& rows, int width, const std::vector<std::int64_t>& near,
     for (const std::int64_t group : near)
         for (int c = 0; c < width; ++c)
             columns.chosen.push_back(width * group + c);
-    for (int round = 0; round < rounds; ++round) {
+    for (int round = 0; round < prediction_rounds; ++round) {
         const Moments moments(columns, polls);
         const Matrix precision = moments.precision(width, polls);
         for (const Pattern& pattern : patterns)
@@ -197,9 +197,9 @@ void predict_gaps(Matrix& rows, int width, const Gaps& gaps, const std::function
     for (const std::vector<std::int64_t>& near : near_groups(rows, width, gaps.seen, most_near)) {
         std::vector<Gap> own;
         for (std::size_t k = 0; k < near.size(); ++k)
-            for (const Gap& gap :
-                 std::ranges::equal_range(gaps.predicted, near[k], {}, &Gap::group)) // in order
-                own.push_back({{gap.begin, gap.end}, static_cast<std::int64_t>(k)});
+            for (auto gap = std::ranges::lower_bound(gaps.predicted, near[k], {}, &Gap::group);
+                 gap != gaps.predicted.end() && gap->group == near[k]; ++gap)
+                own.push_back({{gap->begin, gap->end}, static_cast<std::int64_t>(k)});
         polls.did(std::ssize(near) + std::ssize(own));
         predict_set(rows, width, near, own, polls);
     }

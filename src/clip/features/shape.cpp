@@ -76,7 +76,7 @@ void set_variation(MatrixView rows, Shape& shape) {
     double total = 0;
     for (std::int64_t i = 0; i < rows.rows; ++i) {
         axpy(-1, shape.mean.data(), rows.row(i), rows.cols);
-        total += dot(rows.row(i), rows.row(i), rows.cols) / static_cast<double>(rows.rows);
+        total += stltsa::dot(rows.row(i), rows.row(i), rows.cols) / static_cast<double>(rows.rows);
     }
     auto [directions, variances] = principal_directions(rows, most_directions);
     const double within = std::accumulate(variances.begin(), variances.end(), 0.0);
@@ -258,7 +258,7 @@ void ShapeFeatures::fill(double* features) {
         off_[c] = features[c] - shape_.mean[c];
     for (std::int64_t d = 0; d < count; ++d)
         weights_[static_cast<std::size_t>(d)] =
-            dot(off_.data(), shape_.directions.row(d), std::ssize(off_));
+            stltsa::dot(off_.data(), shape_.directions.row(d), std::ssize(off_));
     const auto order = static_cast<lapack_int>(count);
     LAPACKE_dpotrs_work(LAPACK_COL_MAJOR, 'U', order, 1, matrix_.data(), order, weights_.data(),
                         order);
