@@ -54,6 +54,12 @@ void one_column_is_divided_by_its_shape(void**) {
     const std::vector<double> at = borders(answer(two));
     assert_int_equal(at.size(), 1);
     ASSERT_NEAR(at[0], seconds, 2);
+    const Recording again = answer(recorded(3 * seconds, [&](double t) {
+        return std::vector{t < seconds || t > 2 * seconds ? first(t) : other(t)};
+    }));
+    assert_int_equal(again.segments.size(), 3);
+    assert_int_equal(again.segments[1].label, 1);
+    assert_int_equal(again.segments[2].label, 0);
 }
 
 void noise_does_not_divide_one_column(void**) {
