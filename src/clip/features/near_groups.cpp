@@ -24,7 +24,8 @@ Place place_of(const Matrix& rows, int width, std::int64_t group) {
         return place;
     }
     const std::int64_t step = 1 + (rows.rows() - 1) / most_measured;
-    const auto count = static_cast<double>((rows.rows() - 1) / step + 1);
+    const std::int64_t taken = (rows.rows() - 1) / step + 1;
+    const auto count = static_cast<double>(taken);
     for (std::int64_t i = 0; i < rows.rows(); i += step)
         for (int c = 0; c < width; ++c)
             place.at[static_cast<std::size_t>(c)] += rows(i, width * group + c) / count;

@@ -48,7 +48,8 @@ struct Moments {
         const std::int64_t rows = columns.rows.rows();
         const std::int64_t cols = columns.count();
         const std::int64_t step = 1 + (rows - 1) / most_estimated;
-        const auto count = static_cast<double>((rows - 1) / step + 1);
+        const std::int64_t taken = (rows - 1) / step + 1;
+        const auto count = static_cast<double>(taken);
         mean.resize(static_cast<std::size_t>(cols));
         for (std::int64_t i = 0; i < rows; i += step)
             for (std::int64_t c = 0; c < cols; ++c)
