@@ -15,6 +15,7 @@
 #include "ltsa/frames.hpp"
 #include "ltsa/warnings.hpp"
 #include "results/postures.hpp"
+#include "results/strikes.hpp"
 
 namespace stltsa::results {
 namespace {
@@ -68,6 +69,10 @@ class SourceFrames {
         made.begin_s = static_cast<double>(frames.begin) / clip_.fps;
         made.end_s = static_cast<double>(frames.end) / clip_.fps;
         return made;
+    }
+
+    double sample(double frame) const {
+        return (frame - static_cast<double>(samples_.first)) / static_cast<double>(samples_.step);
     }
 
     double seconds(double samples) const {
@@ -200,6 +205,32 @@ void set_parts(const Recording& found, const SourceFrames& frames, Decomposed& m
         part.confidence = repetition.confidence;
         made.repetitions.push_back(part);
     }
+}
+
+void set_segments(const Recording& found, const SourceFrames& frames, Decomposed& made) {
+    for (const motion::Segment& segment : found.segments) {
+        made.segments.push_back(segment_of(segment, frames));
+        made.carriers.push_back(carriers_of(segment.energy, made.rows->owners));
+        made.reasons.push_back(segment.reason);
+        made.halves.push_back(segment.halves);
+    }
+    frames.cover_recorded(made.segments);
+}
+
+/// The file's foot strikes in samples, by the phase of an answer without them.
+std::vector<motion::Strikes> in_samples(const FoundStrikes& found, const SourceFrames& frames,
+                                        Side side_one) {
+    std::vector<motion::Strikes> all;
+    for (const MotionStrikes& motion : found.motions) {
+        motion::Strikes strikes{motion.label, -1, motion.begins, motion.middles};
+        if (motion.side != Side::neither)
+            strikes.side = motion.side == side_one ? 1 : 0;
+        for (std::vector<double>* places : {&strikes.begins, &strikes.middles})
+            for (double& place : *places)
+                place = frames.sample(place);
+        all.push_back(std::move(strikes));
+    }
+    return all;
 }
 
 void set_travels(const clip::Clip& clip, const std::function<void()>& poll, Decomposed& made) {
@@ -417,23 +448,31 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
     options.one_side = std::move(sides.one);
     options.forward = sides.forward;
     options.begin_with_side = samples.features != clip::Features::points;
-    motion::Recording found = motion::analyze(prepared.samples.view(), fps, options, progress);
     Decomposed made;
     made.source = std::move(prepared.source);
-    made.source.period = {found.curve.period / fps, found.curve.lag_quality,
-                          options.periods.shortest_s, options.periods.longest_s};
     made.side_one = sides.name;
     made.rows =
         frame_rows(clip, made.source, std::move(sides.weights), std::move(drifting), prepared);
     const SourceFrames frames(made.source, prepared.holes);
-    const std::vector<std::string>& owners = made.rows->owners;
-    for (const motion::Segment& segment : found.segments) {
-        made.segments.push_back(segment_of(segment, frames));
-        made.carriers.push_back(carriers_of(segment.energy, owners));
-        made.reasons.push_back(segment.reason);
-        made.halves.push_back(segment.halves);
-    }
-    frames.cover_recorded(made.segments);
+    const auto stated = clip::foot_strikes(clip);
+    FoundStrikes strikes;
+    if (!stated.empty())
+        options.strikes = [&](const Recording& first) {
+            Decomposed before;
+            before.rows = made.rows;
+            before.side_one = made.side_one;
+            set_segments(first, frames, before);
+            set_parts(first, frames, before);
+            strikes = find_strikes(stated, before, progress.within(Stage::units, 1));
+            if (made.side_one == Side::neither && !strikes.motions.empty())
+                made.side_one = Side::right; // the file tells the sides if the names do not
+            return in_samples(strikes, frames, made.side_one);
+        };
+    motion::Recording found = motion::analyze(prepared.samples.view(), fps, options, progress);
+    note_strikes(strikes, found, made.source.clips.front().notes);
+    made.source.period = {found.curve.period / fps, found.curve.lag_quality,
+                          options.periods.shortest_s, options.periods.longest_s};
+    set_segments(found, frames, made);
     made.units = units_of(found, frames);
     set_parts(found, frames, made);
     add_unrecorded(frames, made);

@@ -39,23 +39,6 @@ motion::Range room_of(const Phased& phased, const PhasedMotion& motion, const mo
     return {std::max(room.begin, run.begin - beyond), std::min(room.end, run.end() + beyond)};
 }
 
-phase::Searched searched(const Phased& phased, const PhasedMotion& motion,
-                         const Progress& progress) {
-    const auto poll = [progress] { progress.report(Stage::units, 0); };
-    poll();
-    const motion::MeanCycle& mean = motion.phases.mean;
-    const Matrix both =
-        motion::pose_and_velocity(phased.rows.view(), phased.clip.fps, mean.period, poll);
-    std::vector<motion::Run> runs;
-    for (const motion::Run& run : motion.phases.runs) {
-        const motion::Range room = room_of(phased, motion, run);
-        runs.push_back(motion.phases.linear ? motion::continued(run, mean.period, room)
-                                            : motion::grown(both.view(), mean, run, room, poll));
-    }
-    return phase::searched(phased.rows.view(), both.view(), phased.clip.fps, motion.phases,
-                           std::move(runs), poll);
-}
-
 /// The marks of a motion.
 struct Marked {
     phase::Searched motion;
@@ -180,6 +163,30 @@ void warn_of_places(std::size_t places, bool cyclic, FoundEvents& found) {
 }
 
 } // namespace
+
+phase::Searched searched(const Phased& phased, const PhasedMotion& motion,
+                         const Progress& progress) {
+    const auto poll = [progress] { progress.report(Stage::units, 0); };
+    poll();
+    const motion::MeanCycle& mean = motion.phases.mean;
+    const Matrix both =
+        motion::pose_and_velocity(phased.rows.view(), phased.clip.fps, mean.period, poll);
+    std::vector<motion::Run> runs;
+    for (const motion::Run& run : motion.phases.runs) {
+        const motion::Range room = room_of(phased, motion, run);
+        runs.push_back(motion.phases.linear ? motion::continued(run, mean.period, room)
+                                            : motion::grown(both.view(), mean, run, room, poll));
+    }
+    return phase::searched(phased.rows.view(), both.view(), phased.clip.fps, motion.phases,
+                           std::move(runs), poll);
+}
+
+std::vector<FoundEvent> events_at(const phase::Searched& motion, const phase::Place& marks,
+                                  const Phased& in) {
+    auto events = found_in(phase::find_events(motion, marks), in);
+    set_marked(marks, motion.mean.period, in, events);
+    return events;
+}
 
 FoundEvents find_events(const Phased& from, std::span<const double> marks, const Phased& in,
                         const Progress& progress) {

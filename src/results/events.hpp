@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "phase/searched.hpp"
 #include "results/phased.hpp"
 
 namespace stltsa::results {
@@ -23,6 +24,15 @@ struct FoundEvents {
     double likeness = 1;            ///< of the mean cycles; 0: the other clip has no such motion
     std::vector<std::string> warnings;
 };
+
+/// A motion and how far its phase goes beyond its cycles.
+phase::Searched searched(const Phased& phased, const PhasedMotion& motion,
+                         const Progress& progress);
+
+/// The event at the marks, which are at one place of the motion, in each cycle or repetition of it,
+/// and the marks themselves in the place of what was found near them.
+std::vector<FoundEvent> events_at(const phase::Searched& motion, const phase::Place& marks,
+                                  const Phased& in);
 
 /// The event at `marks`, frames of `from`, in every cycle or repetition of that motion in `in`,
 /// which may be the same; at each place, if the marks are at several places of the cycle. Throws

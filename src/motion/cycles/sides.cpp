@@ -59,21 +59,18 @@ bool sides_alternate(const std::vector<double>& motion, std::span<const Interval
     return energy > least_share * least_share * count && both < alternating * energy;
 }
 
-/// How each of two sides moves: the one that comes forward where cycles begin, and the other.
+/// How each of two sides moves: the one with which cycles begin, and the other.
 struct Swing {
     std::vector<double> first, second;
 };
 
-Swing swing_of(const Signal& signal, std::span<const Interval> cycles) {
+Swing swing_of(const Signal& signal, int side) {
     Swing swing; // absolute: the usual speed may change within a cycle
     for (std::size_t i = 0; i < signal.side.size(); ++i) {
         swing.first.push_back(signal.one_side[i] * signal.usual[i]);
         swing.second.push_back((signal.one_side[i] - signal.side[i]) * signal.usual[i]);
     }
-    std::vector<double> begins;
-    for (const Interval& cycle : cycles)
-        begins.push_back(cycle.begin);
-    if ((leading_side(signal.side, begins) == 1) != *signal.forward)
+    if ((side == 1) != *signal.forward)
         swing.first.swap(swing.second);
     return swing;
 }
@@ -145,7 +142,7 @@ int leading_side(const std::vector<double>& motion, std::span<const double> bord
     return sum < 0 ? 0 : 1;
 }
 
-Halves halves_of(const Signal& signal, std::span<const Interval> cycles) {
+Halves halves_of(const Signal& signal, std::span<const Interval> cycles, int side) {
     if (signal.side.empty())
         return {none, none,
                 "the two sides of the body are not known: they are those of a skeleton, or of "
@@ -155,12 +152,25 @@ Halves halves_of(const Signal& signal, std::span<const Interval> cycles) {
     const double bent = 1 + bent_s * signal.rate;
     if (cycles.size() < min_cycles || !signal.forward)
         return {0.5, none, {}};
-    const Swing swing = swing_of(signal, cycles);
+    std::vector<double> begins;
+    for (const Interval& cycle : cycles)
+        begins.push_back(cycle.begin);
+    const Swing swing = swing_of(signal, side >= 0 ? side : leading_side(signal.side, begins));
     std::vector<double> each;
     for (std::size_t i = 0; i < cycles.size(); ++i)
         each.push_back(first_half(swing, bent, cycles.subspan(i, 1)));
     const double all = first_half(swing, bent, cycles), margin = margin_of(each);
     return {std::abs(all - 0.5) > std::max(margin, resolution) ? all : 0.5, margin, {}};
+}
+
+Halves halves_at(std::span<const double> middles, std::span<const Interval> cycles) {
+    std::vector<double> shares;
+    double sum = 0;
+    for (std::size_t i = 0; i < cycles.size(); ++i)
+        sum += shares.emplace_back((middles[i] - cycles[i].begin) / cycles[i].length());
+    return {sum / static_cast<double>(shares.size()),
+            shares.size() < min_cycles ? none : margin_of(shares),
+            {}};
 }
 
 } // namespace stltsa::motion

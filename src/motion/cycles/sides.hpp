@@ -34,6 +34,10 @@ struct Halves {
 /// The first step ends where the other side does what the first does where the cycles begin. It is
 /// half of a cycle unless the interval excludes that. Each side is compared with the other alone:
 /// the difference of two equal sine waves is its own opposite after half a cycle, whatever the lag.
-Halves halves_of(const Signal& signal, std::span<const Interval> cycles);
+/// `side`: with which cycles begin; -1: the one that comes forward there.
+Halves halves_of(const Signal& signal, std::span<const Interval> cycles, int side = -1);
+
+/// The same where it is known when the first step of each cycle ends.
+Halves halves_at(std::span<const double> middles, std::span<const Interval> cycles);
 
 } // namespace stltsa::motion

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <span>
+#include <tuple>
 
 #include "linalg/principal.hpp"
 #include "linalg/simd.hpp"
@@ -21,6 +23,10 @@ namespace {
 
 /// A cycle may lack so much of a turn: phases at the ends are not known better.
 constexpr double turn_tolerance = 0.02;
+/// From one strike of a foot to the next is a turn, give or take this share.
+constexpr double strike_tolerance = 0.25;
+/// So much of a cycle before it strikes, a foot swings forward.
+constexpr double swing_before_strike = 0.2;
 /// The mean cycle passes through a posture of rest, and is slow there, if its squared distance from
 /// it, velocities included, is at most this share of its variance: 0.6 and more in walks, 0.15 in
 /// punches, less than 0.1 in squats.
@@ -325,6 +331,36 @@ bool alike(const Growth& a, const Growth& b) {
            apart < least_difference * (one + other) / 2;
 }
 
+bool turns_apart(const Run& run, const std::vector<double>& borders) {
+    for (std::size_t i = 0; i + 1 < borders.size(); ++i) {
+        const double turns = run.phase_at(borders[i + 1]) - run.phase_at(borders[i]);
+        if (std::abs(turns - 1) > strike_tolerance)
+            return false;
+    }
+    return true;
+}
+
+/// The one row of `rows` in each cycle; empty if one has none, or several.
+std::vector<double> one_in_each(const std::vector<Interval>& cycles,
+                                const std::vector<double>& rows) {
+    std::vector<double> found;
+    for (const Interval& cycle : cycles) {
+        const auto first = std::ranges::upper_bound(rows, cycle.begin);
+        const auto last = std::ranges::lower_bound(rows, cycle.end);
+        if (last - first != 1)
+            return {};
+        found.push_back(*first);
+    }
+    return found;
+}
+
+int striking_side(const Signal& signal, const CyclicStretch& cut) {
+    std::vector<double> before;
+    for (const double border : cut.borders)
+        before.push_back(border - swing_before_strike * cut.growth.mean.period);
+    return signal.side.empty() ? -1 : leading_side(signal.side, before);
+}
+
 } // namespace
 
 std::vector<Interval> CyclicStretch::cycles() const {
@@ -385,6 +421,28 @@ CyclicStretch cut_stretch(const Signal& signal, const Stretch& stretch, Rows par
     cut.confidences = cycle_confidences(cut);
     cut.doubt = decide(still, signal.rate, cut);
     return cut;
+}
+
+bool begin_at_strikes(const Signal& signal, const Strikes& strikes, Interval within,
+                      const StillRows& still, CyclicStretch& cut) {
+    const Run& run = cut.growth.run;
+    const double first = std::max(within.begin, static_cast<double>(run.begin));
+    const double last = std::min(within.end, static_cast<double>(run.end()));
+    auto state = std::tie(cut.borders, cut.confidences, cut.from_rest, cut.to_rest);
+    const std::tuple before(cut.borders, cut.confidences, cut.from_rest, cut.to_rest);
+    cut.borders.clear();
+    std::ranges::copy_if(strikes.begins, std::back_inserter(cut.borders),
+                         [&](double row) { return row >= first && row <= last; });
+    cut.from_rest = cut.to_rest = false;
+    cut.confidences = cycle_confidences(cut);
+    cut.at_strikes = turns_apart(run, cut.borders) && decide(still, signal.rate, cut).empty();
+    if (!cut.at_strikes) {
+        state = before;
+        return false;
+    }
+    cut.side = strikes.side >= 0 ? strikes.side : striking_side(signal, cut);
+    cut.middles = one_in_each(cut.cycles(), strikes.middles);
+    return true;
 }
 
 } // namespace stltsa::motion

@@ -20,6 +20,14 @@ struct Interval {
     double length() const { return end - begin; }
 };
 
+/// Where the feet strike the ground, in ascending order: cycles begin with one side.
+struct Strikes {
+    int label = -1; ///< of the motion
+    int side = -1;  ///< with which cycles begin, 0 or 1; -1: unknown
+    std::vector<double> begins;
+    std::vector<double> middles; ///< of the other side; empty: unknown
+};
+
 struct CyclicStretch {
     Stretch stretch;
     Growth growth;
@@ -29,6 +37,9 @@ struct CyclicStretch {
     bool to_rest = false;   ///< the last one is where it is back
     std::vector<double> confidences; ///< of the cycles
     std::string doubt;               ///< why no cycle is claimed; empty if cycles are
+    bool at_strikes = false;         ///< the borders are foot strikes
+    int side = -1;                   ///< of the foot that strikes there; -1: unknown
+    std::vector<double> middles;     ///< where the other one does, in each cycle; empty: unknown
 
     bool claimed() const { return doubt.empty(); }
     std::vector<Interval> cycles() const;
@@ -48,5 +59,10 @@ struct StillRows {
 /// The cycles of the stretch, which may grow to the rows `within` of its part.
 CyclicStretch cut_stretch(const Signal& signal, const Stretch& stretch, Rows part, Rows within,
                           const StillRows& still, RowProgress& progress);
+
+/// Lets the cycles begin at the strikes within the rows, where the motion repeats. False, and
+/// nothing changes, if the strikes are not one turn apart, or no sure cycle lies between two.
+bool begin_at_strikes(const Signal& signal, const Strikes& strikes, Interval within,
+                      const StillRows& still, CyclicStretch& cut);
 
 } // namespace stltsa::motion

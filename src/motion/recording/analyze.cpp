@@ -77,6 +77,27 @@ std::vector<Rows> rows_of(const std::vector<Hole>& holes, const Signal& signal) 
     return result;
 }
 
+/// Lets cycles begin at strikes, which are in samples.
+void begin_all_at_strikes(const Signal& signal, std::vector<Strikes> strikes,
+                          const StillRows& still, std::vector<Draft>& drafts) {
+    for (Strikes& of_motion : strikes) {
+        for (std::vector<double>* places : {&of_motion.begins, &of_motion.middles})
+            for (double& place : *places)
+                place /= static_cast<double>(signal.step);
+        for (Draft& draft : drafts) {
+            if (draft.label != of_motion.label)
+                continue;
+            Interval within{draft.begin, draft.end};
+            for (std::size_t i = 0; i < draft.stretches.size(); ++i) {
+                within.end = i + 1 < draft.stretches.size() ? draft.stretches[i + 1].borders.front()
+                                                            : draft.end;
+                begin_at_strikes(signal, of_motion, within, still, draft.stretches[i]);
+                within.begin = draft.stretches[i].borders.back();
+            }
+        }
+    }
+}
+
 } // namespace
 
 Recording analyze(ConstMatrixView samples, double fps, const Options& options,
@@ -127,7 +148,12 @@ Recording analyze(ConstMatrixView samples, double fps, const Options& options,
         set_labels(features, drafts, poll_at(1));
     }
     divide_at_holes(exact_holes, signal.rate, drafts);
-    return answer_of({signal, features, pauses}, std::move(drafts), samples, options, poll_at(1));
+    const Context context{signal, features, pauses};
+    if (options.strikes) {
+        const Recording first = answer_of(context, drafts, samples, options, poll_at(1));
+        begin_all_at_strikes(signal, options.strikes(first), {rests, pauses.rests}, drafts);
+    }
+    return answer_of(context, std::move(drafts), samples, options, poll_at(1));
 }
 
 } // namespace stltsa::motion

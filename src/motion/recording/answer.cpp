@@ -46,27 +46,42 @@ std::vector<double> energy_of(const Work& work, const Draft& draft) {
     return energy;
 }
 
+/// How all cycles divide into steps: at the strikes of the other foot, if they are known.
+Halves halves_of_draft(const Signal& signal, const Draft& draft) {
+    const std::vector<Interval> cycles = draft.cycles();
+    std::vector<double> middles;
+    for (const CyclicStretch& cut : draft.stretches)
+        std::ranges::copy(cut.middles, std::back_inserter(middles));
+    if (middles.size() == cycles.size())
+        return halves_at(middles, cycles);
+    return halves_of(signal, cycles, draft.stretches.front().side);
+}
+
 void append_cyclic(Work& work, const Draft& draft, Segment& segment) {
     const auto index = static_cast<std::int64_t>(work.result.segments.size());
     const std::vector<double>& motion = work.signal.side;
     std::vector<double> confidences, lengths;
-    segment.halves = halves_of(work.signal, draft.cycles());
+    segment.halves = halves_of_draft(work.signal, draft);
     const bool steps = segment.halves.reason.empty();
     for (const CyclicStretch& cut : draft.stretches) {
         const std::vector<Interval> cycles = cut.cycles();
-        const int side = steps ? leading_side(motion, cut.borders) : -1;
+        const int side = !steps           ? -1
+                         : cut.at_strikes ? cut.side
+                                          : leading_side(motion, cut.borders);
+        const int first = cut.at_strikes ? 1 - side : side; // a strike ends a step of its own foot
         for (std::size_t i = 0; i < cycles.size(); ++i) {
             const Interval& cycle = cycles[i];
             const double begin = work.sample(cycle.begin), end = work.sample(cycle.end);
             if (steps) {
-                const double middle =
-                    work.sample(cycle.begin + segment.halves.first * cycle.length());
+                const double middle = work.sample(
+                    cut.middles.empty() ? cycle.begin + segment.halves.first * cycle.length()
+                                        : cut.middles[i]);
                 const auto number = static_cast<std::int64_t>(work.result.cycles.size());
-                work.result.steps.push_back({index, number, begin, middle, side});
-                work.result.steps.push_back({index, number, middle, end, 1 - side});
+                work.result.steps.push_back({index, number, begin, middle, first});
+                work.result.steps.push_back({index, number, middle, end, 1 - first});
             }
-            work.result.cycles.push_back(
-                {index, begin, end, side, likeness_of(cut, cycle), cut.confidences[i]});
+            work.result.cycles.push_back({index, begin, end, side, likeness_of(cut, cycle),
+                                          cut.confidences[i], cut.at_strikes});
             lengths.push_back(cycle.length());
         }
         std::ranges::copy(cut.confidences, std::back_inserter(confidences));

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -51,6 +52,7 @@ struct Cycle {
     int side = -1;          ///< 0 or 1; -1: unknown
     double likeness = none; ///< to the mean cycle of its segment
     double confidence = 0;
+    bool at_strikes = false; ///< it lasts from strike to strike
 };
 
 /// Half of a cycle in which one side of the body does what the other does in the next.
@@ -96,6 +98,8 @@ struct Hole {
     double end = 0;
 };
 
+struct Recording;
+
 struct Options {
     PeriodRange periods;
     /// Number in motion; unset: as many as the behavior changes.
@@ -115,6 +119,8 @@ struct Options {
     /// Rotations of the joints, samples x columns, by which behaviors are told apart as well;
     /// empty: none.
     Matrix rotations;
+    /// The strikes of each motion, in samples, given an answer without them; unset: none are known.
+    std::function<std::vector<Strikes>(const Recording&)> strikes;
     // For messages only.
     std::string jump; ///< where the pose jumps; empty: nowhere
     double jump_s = no_time;

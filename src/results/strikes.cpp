@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "results/strikes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/numbers.hpp"
+#include "results/events.hpp"
+
+namespace stltsa::results {
+namespace {
+
+/// Strikes of a side that scatter more, in shares of a cycle, contradict the cycles: 0.01 is usual.
+constexpr double most_scatter = 0.05;
+/// One that is farther from the others is at another place of the cycle.
+constexpr double one_place = 0.1;
+/// Marks of one side that are closer, in cycles, are one strike.
+constexpr double one_strike = 0.25;
+
+std::string strikes_text(Side side, std::size_t count) {
+    const char* const sides[] = {"", "left ", "right "};
+    return format_text("{} {}foot {}", count, sides[static_cast<int>(side) + 1],
+                       count == 1 ? "strike" : "strikes");
+}
+
+/// The strikes of one side that lie in a motion.
+std::vector<phase::Mark> marks_in(const phase::Searched& motion, const Phased& phased,
+                                  std::span<const clip::FootStrike> stated, Side side) {
+    std::vector<phase::Mark> marks;
+    double sum = 0, count = 0;
+    const auto add = [&] {
+        if (count == 0)
+            return;
+        const auto mark = phase::mark_at(motion, sum / count);
+        if (mark && mark->distance <= phase::other_motion)
+            marks.push_back(*mark);
+        sum = count = 0;
+    };
+    double first = 0;
+    for (const clip::FootStrike& strike : stated) {
+        if (strike.side != side)
+            continue;
+        const double row = strike.frame - static_cast<double>(phased.clip.first);
+        if (count == 0 || row - first > one_strike * motion.mean.period) {
+            add();
+            first = row;
+        }
+        sum += row;
+        ++count;
+    }
+    add();
+    return marks;
+}
+
+/// Marks about their mean place in the cycle.
+struct Scatter {
+    phase::Place marks; ///< phases count on beyond 1, and below 0
+    double mean = 0, deviation = 0;
+};
+
+Scatter scatter_of(std::vector<phase::Mark> marks) {
+    double cosine = 0, sine = 0, squares = 0;
+    for (const phase::Mark& mark : marks) {
+        cosine += std::cos(turn * mark.phase);
+        sine += std::sin(turn * mark.phase);
+    }
+    const double mean = std::atan2(sine, cosine) / turn;
+    for (phase::Mark& mark : marks) {
+        const double off = mark.phase - mean - std::round(mark.phase - mean);
+        mark.phase = mean + off;
+        squares += off * off;
+    }
+    const double count = static_cast<double>(marks.size());
+    return {std::move(marks), mean, std::sqrt(squares / count)};
+}
+
+/// The strikes of one side in a motion.
+struct SideStrikes {
+    Side side = Side::neither;
+    std::size_t stated = 0;
+    std::vector<double> frames; ///< empty: there are none, or they contradict the cycles
+};
+
+SideStrikes strikes_of(const phase::Searched& motion, const Phased& phased,
+                       std::span<const clip::FootStrike> stated, Side side,
+                       std::vector<std::string>& notes) {
+    auto marks = marks_in(motion, phased, stated, side);
+    if (marks.empty())
+        return {side, 0, {}};
+    Scatter scatter = scatter_of(std::move(marks));
+    const std::size_t count = scatter.marks.size();
+    if (scatter.deviation > most_scatter) {
+        notes.push_back(format_text(
+            "{} of the file's events scatter by {:.0f} % of a cycle, above {:.0f} %: they "
+            "contradict the cycles, and are not used",
+            strikes_text(side, count), 100 * scatter.deviation, 100 * most_scatter));
+        return {side, 0, {}};
+    }
+    std::erase_if(scatter.marks, [&](const phase::Mark& mark) {
+        return std::abs(mark.phase - scatter.mean) > one_place;
+    });
+    SideStrikes strikes{side, scatter.marks.size(), {}};
+    if (strikes.stated < count)
+        notes.push_back(format_text("{} of the file's events lie at another place of the cycle "
+                                    "than the other {}, and are not used",
+                                    strikes_text(side, count - strikes.stated), strikes.stated));
+    for (const FoundEvent& event : events_at(motion, scatter.marks, phased))
+        strikes.frames.push_back(event.frame);
+    std::ranges::sort(strikes.frames);
+    return strikes;
+}
+
+/// The side with which the cycles of a label begin.
+Side present_side(const Decomposed& decomposed, std::int32_t label) {
+    for (const stltsa_part& cycle : decomposed.cycle_parts)
+        if (decomposed.segments[static_cast<std::size_t>(cycle.segment)].label == label)
+            return decomposed.named_side(cycle.side);
+    return Side::neither;
+}
+
+} // namespace
+
+FoundStrikes find_strikes(std::span<const clip::FootStrike> stated, const Decomposed& decomposed,
+                          const Progress& progress) {
+    const auto phased = phase_of(decomposed, progress);
+    FoundStrikes found;
+    bool in_motion = false;
+    for (const PhasedMotion& motion : phased->motions) {
+        if (!motion.phases.cyclic)
+            continue;
+        const std::size_t noted = found.notes.size();
+        const phase::Searched where = searched(*phased, motion, progress);
+        const auto of = [&](Side side) {
+            return strikes_of(where, *phased, stated, side, found.notes);
+        };
+        SideStrikes begins = of(Side::left), middles = of(Side::right);
+        const auto value = [](const SideStrikes& strikes) {
+            return std::min<std::size_t>(strikes.stated, 2);
+        };
+        if (value(middles) > value(begins) ||
+            (value(middles) == value(begins) &&
+             present_side(decomposed, motion.label) == Side::right))
+            std::swap(begins, middles);
+        if (begins.frames.empty())
+            begins = of(Side::neither);
+        in_motion = in_motion || !begins.frames.empty() || found.notes.size() > noted;
+        if (!begins.frames.empty())
+            found.motions.push_back({motion.label, begins.side, std::move(begins.frames),
+                                     std::move(middles.frames), begins.stated, middles.stated});
+    }
+    if (!in_motion && !phased->motions.empty() && phased->motions.front().phases.cyclic)
+        found.notes.push_back(format_text("{} of the file's events lie in no cycle, and are not "
+                                          "used",
+                                          strikes_text(Side::neither, stated.size())));
+    return found;
+}
+
+void note_strikes(const FoundStrikes& strikes, const motion::Recording& found,
+                  std::vector<std::string>& notes) {
+    std::ranges::copy(strikes.notes, std::back_inserter(notes));
+    for (const MotionStrikes& motion : strikes.motions) {
+        std::size_t begun = 0, others = 0;
+        for (const motion::Cycle& cycle : found.cycles)
+            if (found.segments[static_cast<std::size_t>(cycle.segment)].label == motion.label)
+                ++(cycle.at_strikes ? begun : others);
+        const std::string name = label_text(motion.label);
+        const std::string stated = strikes_text(motion.side, motion.stated_begins);
+        if (begun == 0) {
+            notes.push_back(format_text("{} of the file's events are not used: no whole cycle of "
+                                        "motion {} lies between two",
+                                        stated, name));
+            continue;
+        }
+        std::string text =
+            format_text("0 % of each cycle of motion {} is at a {}foot strike, as the events of "
+                        "the file say ({}",
+                        name,
+                        motion.side == Side::left    ? "left "
+                        : motion.side == Side::right ? "right "
+                                                     : "",
+                        stated);
+        if (!motion.middles.empty())
+            text += format_text(", {}",
+                                strikes_text(motion.side == Side::left ? Side::right : Side::left,
+                                             motion.stated_middles));
+        text += ")";
+        if (motion.stated_begins < motion.begins.size())
+            text += "; those that it does not state were found as `events` does";
+        if (others > 0)
+            text += format_text("; {} of {} cycles have no such strike, and begin elsewhere",
+                                others, begun + others);
+        notes.push_back(text);
+    }
+}
+
+} // namespace stltsa::results
