@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "base/numbers.hpp"
 #include "results/events.hpp"
@@ -17,10 +18,17 @@ constexpr double one_place = 0.1;
 /// Marks of one side that are closer, in cycles, are one strike.
 constexpr double one_strike = 0.25;
 
-std::string strikes_text(Side side, std::size_t count) {
-    const char* const sides[] = {"", "left ", "right "};
-    return format_text("{} {}foot {}", count, sides[static_cast<int>(side) + 1],
-                       count == 1 ? "strike" : "strikes");
+std::string_view side_text(Side side) {
+    return side == Side::left ? "left" : side == Side::right ? "right" : "of no stated side";
+}
+
+Side opposite(Side side) {
+    return side == Side::left ? Side::right : side == Side::right ? Side::left : Side::neither;
+}
+
+std::string not_used(std::size_t count, Side side, const std::string& why) {
+    return format_text("foot strikes of the file that are not used: {} {}; {}", count,
+                       side_text(side), why);
 }
 
 /// The strikes of one side that lie in a motion.
@@ -90,10 +98,11 @@ SideStrikes strikes_of(const phase::Searched& motion, const Phased& phased,
     Scatter scatter = scatter_of(std::move(marks));
     const std::size_t count = scatter.marks.size();
     if (scatter.deviation > most_scatter) {
-        notes.push_back(format_text(
-            "{} of the file's events scatter by {:.0f} % of a cycle, above {:.0f} %: they "
-            "contradict the cycles, and are not used",
-            strikes_text(side, count), 100 * scatter.deviation, 100 * most_scatter));
+        notes.push_back(not_used(
+            count, side,
+            format_text("they contradict the cycles, in which they scatter by {:.0f} %, above "
+                        "{:.0f} %",
+                        100 * scatter.deviation, 100 * most_scatter)));
         return {side, 0, {}};
     }
     std::erase_if(scatter.marks, [&](const phase::Mark& mark) {
@@ -101,9 +110,9 @@ SideStrikes strikes_of(const phase::Searched& motion, const Phased& phased,
     });
     SideStrikes strikes{side, scatter.marks.size(), {}};
     if (strikes.stated < count)
-        notes.push_back(format_text("{} of the file's events lie at another place of the cycle "
-                                    "than the other {}, and are not used",
-                                    strikes_text(side, count - strikes.stated), strikes.stated));
+        notes.push_back(not_used(
+            count - strikes.stated, side,
+            format_text("the other {} are at another place of the cycle", strikes.stated)));
     for (const FoundEvent& event : events_at(motion, scatter.marks, phased))
         strikes.frames.push_back(event.frame);
     std::ranges::sort(strikes.frames);
@@ -149,9 +158,9 @@ FoundStrikes find_strikes(std::span<const clip::FootStrike> stated, const Decomp
                                      std::move(middles.frames), begins.stated, middles.stated});
     }
     if (!in_motion && !phased->motions.empty() && phased->motions.front().phases.cyclic)
-        found.notes.push_back(format_text("{} of the file's events lie in no cycle, and are not "
-                                          "used",
-                                          strikes_text(Side::neither, stated.size())));
+        found.notes.push_back(
+            format_text("foot strikes of the file that are not used: all {}; none lies in a cycle",
+                        stated.size()));
     return found;
 }
 
@@ -160,34 +169,32 @@ void note_strikes(const FoundStrikes& strikes, const motion::Recording& found,
     std::ranges::copy(strikes.notes, std::back_inserter(notes));
     for (const MotionStrikes& motion : strikes.motions) {
         std::size_t begun = 0, others = 0;
+        bool only = true;
         for (const motion::Cycle& cycle : found.cycles)
             if (found.segments[static_cast<std::size_t>(cycle.segment)].label == motion.label)
                 ++(cycle.at_strikes ? begun : others);
-        const std::string name = label_text(motion.label);
-        const std::string stated = strikes_text(motion.side, motion.stated_begins);
+            else
+                only = false;
         if (begun == 0) {
-            notes.push_back(format_text("{} of the file's events are not used: no whole cycle of "
-                                        "motion {} lies between two",
-                                        stated, name));
+            notes.push_back(not_used(motion.stated_begins, motion.side,
+                                     "no whole cycle lies between two of them"));
             continue;
         }
-        std::string text =
-            format_text("0 % of each cycle of motion {} is at a {}foot strike, as the events of "
-                        "the file say ({}",
-                        name,
-                        motion.side == Side::left    ? "left "
-                        : motion.side == Side::right ? "right "
-                                                     : "",
-                        stated);
+        std::string text = "0 % of each cycle";
+        if (!only)
+            text += " of motion " + label_text(motion.label);
+        text += format_text(
+            " is at a{} foot strike, as the events of the file say ({} {}",
+            motion.side == Side::neither ? "" : format_text(" {}", side_text(motion.side)),
+            motion.stated_begins, side_text(motion.side));
         if (!motion.middles.empty())
-            text += format_text(", {}",
-                                strikes_text(motion.side == Side::left ? Side::right : Side::left,
-                                             motion.stated_middles));
+            text += format_text(", {} {}", motion.stated_middles, side_text(opposite(motion.side)));
         text += ")";
         if (motion.stated_begins < motion.begins.size())
-            text += "; those that it does not state were found as `events` does";
+            text += "; in cycles without such an event, where the motion is the same";
         if (others > 0)
-            text += format_text("; {} of {} cycles have no such strike, and begin elsewhere",
+            text += format_text("; {} of the {} cycles begin elsewhere, because no whole one lies "
+                                "between two strikes",
                                 others, begun + others);
         notes.push_back(text);
     }

@@ -45,9 +45,9 @@ def _turn(axis, degrees):
 
 
 @functools.cache
-def walk_points():
+def walk_points(path=None):
     """Positions in space of joints of the synthetic walker: frames x joints x 3, as texts."""
-    hierarchy, motion = walk(FPS).read_text().split("MOTION\n")
+    hierarchy, motion = (path or walk(FPS)).read_text().split("MOTION\n")
     joints, stack = [], [-1]
     for words in map(str.split, hierarchy.splitlines()):
         if words and words[0] in ("ROOT", "JOINT", "End"):
