@@ -2,6 +2,7 @@
 #include "results/strikes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 
@@ -82,6 +83,24 @@ Scatter scatter_of(std::vector<phase::Mark> marks) {
     return {std::move(marks), mean, std::sqrt(squares / count)};
 }
 
+/// Marks of both feet, if they may be: those half a cycle apart. The first are nearer to where the
+/// cycles begin, after it.
+std::array<std::vector<phase::Mark>, 2> by_foot(const std::vector<phase::Mark>& marks) {
+    double cosine = 0, sine = 0;
+    for (const phase::Mark& mark : marks) {
+        cosine += std::cos(2 * turn * mark.phase);
+        sine += std::sin(2 * turn * mark.phase);
+    }
+    const double mean = std::atan2(sine, cosine) / (2 * turn);
+    const double first = mean < 0 ? mean + 0.5 : mean;
+    std::array<std::vector<phase::Mark>, 2> feet;
+    for (const phase::Mark& mark : marks) {
+        const double off = mark.phase - first - std::round(mark.phase - first);
+        feet[std::abs(off) <= 0.25 ? 0 : 1].push_back(mark);
+    }
+    return feet;
+}
+
 /// The strikes of one side in a motion.
 struct SideStrikes {
     Side side = Side::neither;
@@ -90,9 +109,7 @@ struct SideStrikes {
 };
 
 SideStrikes strikes_of(const phase::Searched& motion, const Phased& phased,
-                       std::span<const clip::FootStrike> stated, Side side,
-                       std::vector<std::string>& notes) {
-    auto marks = marks_in(motion, phased, stated, side);
+                       std::vector<phase::Mark> marks, Side side, std::vector<std::string>& notes) {
     if (marks.empty())
         return {side, 0, {}};
     Scatter scatter = scatter_of(std::move(marks));
@@ -139,10 +156,12 @@ FoundStrikes find_strikes(std::span<const clip::FootStrike> stated, const Decomp
             continue;
         const std::size_t noted = found.notes.size();
         const phase::Searched where = searched(*phased, motion, progress);
-        const auto of = [&](Side side) {
-            return strikes_of(where, *phased, stated, side, found.notes);
+        const auto marks = [&](Side side) { return marks_in(where, *phased, stated, side); };
+        const auto of = [&](std::vector<phase::Mark> some, Side side) {
+            return strikes_of(where, *phased, std::move(some), side, found.notes);
         };
-        SideStrikes begins = of(Side::left), middles = of(Side::right);
+        SideStrikes begins = of(marks(Side::left), Side::left);
+        SideStrikes middles = of(marks(Side::right), Side::right);
         const auto value = [](const SideStrikes& strikes) {
             return std::min<std::size_t>(strikes.stated, 2);
         };
@@ -150,8 +169,13 @@ FoundStrikes find_strikes(std::span<const clip::FootStrike> stated, const Decomp
             (value(middles) == value(begins) &&
              present_side(decomposed, motion.label) == Side::right))
             std::swap(begins, middles);
-        if (begins.frames.empty())
-            begins = of(Side::neither);
+        if (begins.frames.empty()) {
+            auto feet = by_foot(marks(Side::neither));
+            begins = of(std::move(feet[0]), Side::neither);
+            middles = of(std::move(feet[1]), Side::neither);
+            if (begins.frames.empty())
+                std::swap(begins, middles);
+        }
         in_motion = in_motion || !begins.frames.empty() || found.notes.size() > noted;
         if (!begins.frames.empty())
             found.motions.push_back({motion.label, begins.side, std::move(begins.frames),
