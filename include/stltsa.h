@@ -923,7 +923,8 @@ typedef struct stltsa_part {
                                 the others, 0 to 1; NaN: unknown */
     double confidence;       /* share of such answers that are right, 0 to 1 */
     int32_t side, reserved;  /* which side of the body leads: 0 or 1, the same in all clips of a
-                                skeleton; -1: unknown */
+                                skeleton; -1: unknown. At foot strikes that the file states: the side
+                                whose strike a cycle begins with, and a step ends with */
 } stltsa_part;
 
 enum {
@@ -972,6 +973,9 @@ typedef struct stltsa_summary {
  * the steepest points, between peaks and valleys, of a coordinate that oscillates once per cycle
  * (section 3.1). Actions between rests that are one motion are repetitions. Segments of one motion
  * share a label. Segments without cycles have a reason; this is not an error.
+ * If the file states foot strikes (stltsa_clip_event), cycles begin at those of one side, and steps end
+ * at those of both. They are found in the cycles without one as stltsa_events_find does. Strikes that
+ * contradict the cycles are not used. STLTSA_INFO_NOTE says which were used, and which were not.
  * Options: features, up axis, keep_start, sample_rate, smoothing, period_*, segments, threads,
  * progress; those of embeddings (neighbors, window, dimension, mode, ...) are refused.
  * E_ARGUMENT: the clip's fps is unknown (set option fps when you open it). Other errors as
@@ -1006,7 +1010,8 @@ stltsa_decomposition_label_likeness(const stltsa_decomposition *decomposition, i
  * where the other side of the body does what the first did at the begin. `margin` is half the width
  * of the 95 % interval of the estimated share over the cycles; `share` is exactly 0.5 if the
  * estimate is within `margin`, or within 0.002, of 0.5. share is NaN without steps; margin is NaN
- * without steps or with fewer than three cycles. share and margin may be NULL. */
+ * without steps or with fewer than three cycles. If the file states foot strikes of both sides, share
+ * is the mean of the cycles, and exactly 0.5 only by chance. share and margin may be NULL. */
 STLTSA_API stltsa_status
 stltsa_decomposition_first_step(const stltsa_decomposition *decomposition, int64_t segment,
                                 double *share, double *margin) STLTSA_NOEXCEPT;
