@@ -7,7 +7,7 @@
 namespace stltsa::clip {
 namespace {
 
-constexpr std::string_view names[] = {
+constexpr std::string_view strike_names[] = {
     "footstrike", "heelstrike", "initialcontact", "footcontact", "heelcontact", "fs", "hs", "ic"};
 
 /// The letters of a text in lower case.
@@ -20,7 +20,7 @@ std::string letters_of(std::string_view text) {
 }
 
 bool is_strike(const std::string& letters) {
-    return std::ranges::find(names, letters) != std::end(names);
+    return std::ranges::find(strike_names, letters) != std::end(strike_names);
 }
 
 /// The name of the event without its side: the words and letters that may stand for one.

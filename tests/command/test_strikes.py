@@ -130,12 +130,16 @@ class Strikes(CommandTest):
 
     def test_the_side_of_the_present_borders_comes_first(self):
         _, left, right = long_walk()
-        plain = self.found([])["cycles"][0]["side_name"]
-        for some in (strikes(left, right), strikes(left[2:4], right[2:7])):
-            self.assertEqual(self.found(some)["cycles"][0]["side_name"], plain)
-        one, many = (left[2:3], right) if plain == "left" else (left, right[2:3])
-        other = self.found(strikes(one, many))["cycles"][0]["side_name"]
-        self.assertNotEqual(other, plain)
+        sides = set()
+        for stretch in ("", ":2.2s-9s"):
+            plain = self.found([], stretch)["cycles"][0]["side_name"]
+            sides.add(plain)
+            for some in (strikes(left, right), strikes(left[2:4], right[2:7])):
+                self.assertEqual(self.found(some, stretch)["cycles"][0]["side_name"], plain)
+            one, many = (left[2:3], right) if plain == "left" else (left, right[2:3])
+            other = self.found(strikes(one, many), stretch)["cycles"][0]["side_name"]
+            self.assertNotEqual(other, plain)
+        self.assertEqual(sides, {"left", "right"})
 
     def test_marks_of_two_systems_are_one_strike(self):
         _, left, right = long_walk()

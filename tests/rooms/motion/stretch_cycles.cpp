@@ -253,6 +253,37 @@ void a_crop_of_the_rest_moves_no_border(void**) {
     }
 }
 
+/// The walk, whose cycles may begin at places `first` seconds and so many periods after the start,
+/// except those of turn `without`.
+Recording with_strikes(double first, double period, int without) {
+    Options options;
+    options.size = 2;
+    options.strikes = [=](const Recording& found) {
+        Strikes strikes{found.segments.front().label, 1, {}, {}};
+        for (int turn = 0; turn < 9; ++turn)
+            if (turn != without)
+                strikes.begins.push_back((first + turn * period) * rate);
+        return std::vector<Strikes>{strikes};
+    };
+    return analyze(walk(10, 1.1).view(), rate, options, Progress());
+}
+
+void cycles_begin_at_strikes(void**) {
+    const Recording plain = of_body(walk(10, 1.1).view());
+    const Recording found = with_strikes(0.3, 1.1, -1);
+    check_cover(found, walk(10, 1.1));
+    assert_int_equal(found.cycles.size(), 8);
+    for (std::size_t i = 0; i < found.cycles.size(); ++i) {
+        assert_true(found.cycles[i].at_strikes);
+        ASSERT_NEAR(found.cycles[i].begin, (0.3 + static_cast<double>(i) * 1.1) * rate, 1e-6);
+    }
+    // A stumble without a strike makes no cycle of two turns; strikes twice a turn, none of a half.
+    for (const Recording& same : {with_strikes(0.3, 1.1, 4), with_strikes(0.3, 0.55, -1)}) {
+        assert_false(same.cycles.front().at_strikes);
+        check_same_cycles(plain, same, 1e-9);
+    }
+}
+
 } // namespace
 
 int main() {
@@ -265,6 +296,7 @@ int main() {
         cmocka_unit_test(the_mirror_image_has_the_same_steps),
         cmocka_unit_test(backwards_there_are_as_many),
         cmocka_unit_test(a_crop_of_the_rest_moves_no_border),
+        cmocka_unit_test(cycles_begin_at_strikes),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
