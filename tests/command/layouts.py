@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes one synthetic walk in every layout of text files that docs/formats.md lists.
+"""Writes one synthetic walk in every layout that docs/formats.md lists; here are those of CSV and TSV files.
 
 A layout is a function with the decorator `layout` and its name in the table. It yields cases: a file, options of the
 command, and what must come out: the answer of a plain file of the same points (`like`), or a sentence in the error or
@@ -117,9 +117,41 @@ def with_underscore(joint, axis):
     return f"{joint}_{axis}"
 
 
+def upright():
+    """In space, with y up."""
+    return [[[y, z, x] for x, y, z in row] for row in walk_points()]
+
+
+def single():
+    """In space, with numbers that reals of 32 bits and integers times 1/16 hold."""
+    return [[[repr(round(float(x) * 16) / 16) for x in point] for point in row] for row in walk_points()]
+
+
+def single_missing():
+    return [[["" if missing_x == "" else x for x, missing_x in zip(*points)] for points in zip(*rows)]
+            for rows in zip(single(), missing())]  # fmt: skip
+
+
+def missing_rows():
+    """Nothing is seen for a while."""
+    rows = list(walk_points())
+    rows[100:110] = [[["", "", ""]] * len(JOINTS)] * 10
+    return rows
+
+
+def coordinates():
+    """Names and rows of numbers that are no points: how much higher each joint is than the hips."""
+    return [f"{joint}_rise" for joint in JOINTS], [
+        [f"{float(point[2]) - float(row[0][2]):.3f}" for point in row] for row in walk_points()]  # fmt: skip
+
+
 def plain(folder, which):
     """The files that the others are compared with."""
-    rows = {"space": walk_points, "plane": plane, "missing": missing}[which]()
+    if which == "coordinates":
+        names, rows = coordinates()
+        return write(folder / "coordinates.csv", [["time", *names], *([time, *row] for time, row in zip(times(), rows))])
+    rows = {"space": walk_points, "plane": plane, "missing": missing, "missing rows": missing_rows,
+            "upright": upright, "single": single, "single missing": single_missing}[which]()  # fmt: skip
     return write(folder / f"{which}.csv", table(rows, with_underscore, "xyz"[: len(rows[0][0])]))
 
 
@@ -370,29 +402,13 @@ def endings(folder):
     yield Case(write(folder / "utf16.csv", lines, encoding="utf-16"), error="the text is UTF-16")
 
 
-@layout("dates and times of day: `2024-01-31 12:00:00.033`")
-def dates(folder):
-    def stamped(between, zone):
-        lines = table(walk_points(), with_underscore, first="date")
-        for i, line in enumerate(lines[1:]):
-            whole, part = divmod(i * 1000000 // FPS, 1000000)
-            line[0] = f"2023-12-31{between}23:59:{57 + whole:02}.{part:06}{zone}" if whole < 3 else (
-                f"2024-01-01{between}00:00:{whole - 3:02}.{part:06}{zone}")  # fmt: skip
-        return lines
-    yield Case(write(folder / "a.csv", stamped(" ", "")))
-    yield Case(write(folder / "b.csv", stamped("T", "+01:00")))
-    yield Case(write(folder / "c.csv", stamped(" ", ""), "\t"))
-
-
-@layout("missing values: empty cells, NaN, NA, null, rows without a frame")
+@layout("missing values: empty cells, NaN, NA, null")
 def gaps(folder):
     lines = table(missing(), with_underscore)
     for word in ("NaN", "NA", "null", "-"):
         filled = [[cell if cell else word for cell in line] for line in lines]
         yield Case(write(folder / f"{word}.csv", filled), "missing")
     yield Case(write(folder / "semicolon.csv", lines, ";"), "missing")
-    rows = write(folder / "rows.csv", lines[:100] + lines[110:])
-    yield Case(rows, note="rows are missing by the times: 10 of")
 
 
 @layout("columns beside the points: text, other quantities")

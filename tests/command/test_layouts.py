@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every layout of text files in the table of docs/formats.md gives the answer of the plain file."""
+"""Every layout in the tables of docs/formats.md, sections Layouts and Time, gives the answer of the plain file."""
 
 import functools
 import json
@@ -9,16 +9,21 @@ import re
 import unittest
 
 import layouts
+import layouts_formats  # noqa: F401 (registers layouts)
+import layouts_times  # noqa: F401
 from common import CommandTest, run
 
 PAGE = pathlib.Path(os.environ["STLTSA_FORMATS"])
 
 
 def rows_of_the_page():
-    """The first cells of the table."""
-    section = PAGE.read_text(encoding="utf-8").split("## Layouts of text files\n")[1].split("\n## ")[0]
-    rows = [line for line in section.splitlines() if line.startswith("|")]
-    return [re.split(r"\s*\|\s*", row.strip("| "))[0] for row in rows[2:]]
+    """The first cells of the tables."""
+    page, found = PAGE.read_text(encoding="utf-8"), []
+    for title in ("Layouts", "Time"):
+        section = page.split(f"\n## {title}\n")[1].split("\n## ")[0]
+        rows = [line for line in section.splitlines() if line.startswith("|")]
+        found += [re.split(r"\s*\|\s*", row.strip("| "))[0] for row in rows[2:]]
+    return found
 
 
 class Layouts(CommandTest):
@@ -39,7 +44,7 @@ class Layouts(CommandTest):
         found = self.json("decompose", path, *options)
         channels = self.json("info", path, *options)["channels"]
         found["points"] = [re.sub(r"[_. :-]?[xyz]$", "", name, flags=re.I) for name in channels["names"]]
-        del found["clip"]["path"], found["clip"]["notes"]
+        del found["clip"]["path"], found["clip"]["format"], found["clip"]["notes"]
         return json.loads(re.sub(r"\b(Anna|Pat|S|mouse1):", "", json.dumps(found)))
 
     def check(self, case):

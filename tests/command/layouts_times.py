@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The walk of layouts.py with every kind of clock that docs/formats.md lists."""
+
+import math
+
+from layouts import FPS, JOINTS, Case, layout, missing_rows, motive, table, times, upright, walk_points, with_underscore, write
+from layouts_formats import trc
+
+HOLE = range(100, 110)  # rows that `missing_rows` lacks
+
+
+def timed(first, cells, rows=None):
+    """Lines with other cells in the first column."""
+    lines = table(rows or walk_points(), with_underscore, first=first)
+    return [lines[0], *([cell, *line[1:]] for cell, line in zip(cells, lines[1:]))]
+
+
+def counted(path, count):
+    """A file of which a column `packet counter` tells the frames: it ends at `count`, and begins again."""
+    lines = timed("packet counter", [(i + 200) % count for i in range(len(walk_points()))])
+    return write(path, lines)
+
+
+@layout("rounded times: 0.000, 0.017, 0.033")
+def rounded(folder):
+    for digits in (2, 3, 4):
+        cells = [f"{float(time):.{digits}f}" for time in times()]
+        yield Case(write(folder / "a.csv", timed("time", cells)))
+        lines = trc(upright())
+        rows = [[line[0], cell, *line[2:]] for cell, line in zip(cells, lines[6:])]
+        yield Case(write(folder / "a.trc", lines[:6] + rows, "\t"), "upright")
+
+
+@layout("other units: `time_ms`, `t [us]`; since 1970")
+def units(folder):
+    seconds = [i / FPS for i in range(len(walk_points()))]
+    for name, unit, origin in (("time_ms", 1e3, 0), ("t [us]", 1e6, 0), ("Time (ns)", 1e9, 0),
+                               ("time", 1e3, 0), ("timestamp", 1e3, 1.7e9), ("timestamp", 1, 1.7e9),
+                               ("unix time", 1e9, 1.7e9)):  # fmt: skip
+        cells = [f"{(origin + second) * unit:.4f}" if unit == 1 else round(origin * unit) + round(second * unit)
+                 for second in seconds]  # fmt: skip
+        yield Case(write(folder / "a.csv", timed(name, cells)))
+
+
+@layout("dates and times of day: `2024-01-31 12:00:00.033`")
+def dates(folder):
+    def stamped(between, zone, comma="."):
+        cells = []
+        for i in range(len(walk_points())):
+            whole, part = divmod(i * 1000000 // FPS, 1000000)
+            cells.append(f"2023-12-31{between}23:59:{57 + whole:02}{comma}{part:06}{zone}" if whole < 3 else (
+                f"2024-01-01{between}00:00:{whole - 3:02}{comma}{part:06}{zone}"))  # fmt: skip
+        return timed("date", cells)
+    yield Case(write(folder / "a.csv", stamped(" ", "")))
+    yield Case(write(folder / "b.csv", stamped("T", "+01:00")))
+    yield Case(write(folder / "c.csv", stamped(" ", ""), "\t"))
+    yield Case(write(folder / "d.csv", stamped("T", "Z", ","), ";"))
+
+
+@layout("counters, such as `frame`, of any range")
+def counters(folder):
+    fps = ("--fps", str(FPS))
+    for name in ("frame", "Frame#", "", "sample"):
+        yield Case(write(folder / "a.csv", timed(name, range(7, 7 + len(walk_points())))), options=fps)
+    for count in (256, 65536):
+        yield Case(counted(folder / "b.csv", count), options=fps)
+
+
+@layout("`Frame` and `Sub Frame`")
+def subframes(folder):
+    lines = table(walk_points(), with_underscore, first="Frame")
+    rows = [[1 + i // 4, i % 4, *line[1:]] for i, line in enumerate(lines[1:])]
+    head = ["Frame", "Sub Frame", *lines[0][1:]]
+    yield Case(write(folder / "a.csv", [head, *rows]), options=("--fps", str(FPS)))
+    names = [cell for joint in JOINTS for cell in (joint, "", "")]
+    nexus = [["Trajectories"], [FPS], ["", "", *names], ["Frame", "Sub Frame", *"XYZ" * len(JOINTS)],
+             ["", "", *["mm"] * len(names)], *rows]  # fmt: skip
+    yield Case(write(folder / "b.csv", nexus))
+
+
+@layout("rows that are missing, by the clock or the count")
+def holes(folder):
+    lines = timed("time", times())
+    rows = write(folder / "a.csv", lines[: 1 + HOLE[0]] + lines[1 + HOLE[-1] + 1 :])
+    yield Case(rows, "missing rows")
+    yield Case(rows, note="rows are missing by the times: 10 of")
+    lines = timed("packet counter", [i % 256 for i in range(len(walk_points()))])
+    rows = write(folder / "b.csv", lines[: 1 + HOLE[0]] + lines[1 + HOLE[-1] + 1 :])
+    yield Case(rows, "missing rows", ("--fps", str(FPS)))
+    lines = trc(upright())
+    rows = write(folder / "c.trc", lines[: 6 + HOLE[0]] + lines[6 + HOLE[-1] + 1 :], "\t")
+    yield Case(rows, note="10 of")
+
+
+@layout("lines before the table that say another rate")
+def contradictions(folder):
+    said = "the lines before the table say 120 frames a second, but the times 60"
+    export = [["120" if cell == str(FPS) else cell for cell in line] for line in motive(None)]
+    for path, like in ((write(folder / "a.trc", trc(upright(), 120), "\t"), "upright"),
+                       (write(folder / "b.csv", export), "space")):  # fmt: skip
+        yield Case(path, like)
+        yield Case(path, note=said)
+
+
+@layout("times that go back; a row without a time")
+def backward(folder):
+    late = [f"{float(time) - (1 if i >= 150 else 0):.6f}" for i, time in enumerate(times())]
+    yield Case(write(folder / "a.csv", timed("time", late)), error="a.csv:152: column 'time' is time, but does not")
+    none = ["" if i == 150 else time for i, time in enumerate(times())]
+    yield Case(write(folder / "b.csv", timed("time", none)), error="b.csv:152: column 'time' is time, but has no")
+
+
+@layout("variable steps")
+def variable(folder):
+    count = len(walk_points())
+    steps = [f"{i / FPS + 0.03 * math.sin(4 * math.pi * i / (count - 1)):.6f}" for i in range(count)]
+    yield Case(write(folder / "a.csv", timed("time", steps)), note="resampled to 60")
