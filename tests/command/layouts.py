@@ -166,16 +166,18 @@ def suffixes(folder):
     yield Case(write(folder / "capital.csv", table(walk_points(), lambda j, a: j + a.upper())))
 
 
-@layout("`x_heel`, `X.heel`")
+@layout("`x_heel`, `X.heel`, `xHeel`")
 def prefixes(folder):
     yield Case(write(folder / "a.csv", table(walk_points(), lambda j, a: f"{a}_{j}")))
     yield Case(write(folder / "b.csv", table(walk_points(), lambda j, a: f"{a.upper()}.{j}", "yzx")))
+    yield Case(write(folder / "c.csv", table(walk_points(), lambda j, a: a + j)))
 
 
-@layout("`heel[0]`, `heel (x)`")
+@layout("`heel[0]` or `heel[1]`, `heel (x)`")
 def brackets(folder):
     yield Case(write(folder / "a.csv", table(walk_points(), lambda j, a: f"{j}[{'xyz'.index(a)}]")))
     yield Case(write(folder / "b.csv", table(walk_points(), lambda j, a: f"{j} ({a})")))
+    yield Case(write(folder / "c.csv", table(walk_points(), lambda j, a: f"{j}[{'xyz'.index(a) + 1}]")))
 
 
 @layout("axes in any order: z, x, y; all x, then all y, then all z")
@@ -187,9 +189,9 @@ def orders(folder):
     yield Case(write(folder / "by axis.csv", [head, *rows]))
 
 
-@layout("`heel_x (mm)`, `heel_x [m]`")
+@layout("`heel_x (mm)`, `heel_x [m]`, `heel_x_mm`")
 def units(folder):
-    for name in ("{}_{} (mm)", "{}_{} [m]", "{}.{}[cm]"):
+    for name in ("{}_{} (mm)", "{}_{} [m]", "{}.{}[cm]", "{}_{}_mm"):
         yield Case(write(folder / "a.csv", table(walk_points(), name.format)))
     path = write(folder / "noted.csv", table(walk_points(), "{}_{} (mm)".format))
     yield Case(path, note="unit of the positions, by the names of the columns: mm")
@@ -223,6 +225,13 @@ def levels(folder):
     once = [name for joint in JOINTS for name in (joint, "", "")]
     yield Case(write(folder / "repeated.csv", two_lines(repeated, walk_points())), options=fps)
     yield Case(write(folder / "once.csv", two_lines(once, walk_points())), options=fps)
+    rows = [[time, *row] for time, row in zip(times(), flat(walk_points()))]
+    numbered = [f"{axis}{i + 1}" for i in range(len(JOINTS)) for axis in "XYZ"]
+    for first, second in ((repeated, numbered), (once, ["X", "Y", "Z"] * len(JOINTS)),
+                          (["X", "Y", "Z"] * len(JOINTS), repeated)):  # fmt: skip
+        yield Case(write(folder / "time.csv", [["Time", *first], ["", *second], *rows]))
+    lost = [["Time", *once], ["", *"XYZ" * len(JOINTS)], *rows[:100], *rows[110:]]
+    yield Case(write(folder / "lost.csv", lost), "missing rows")
     lines = table(walk_points(), with_underscore)
     yield Case(write(folder / "units.csv", [lines[0], ["s", *["mm"] * (3 * len(JOINTS))], *lines[1:]]))
 
@@ -271,6 +280,23 @@ def prefixes_of_subjects(folder):
     yield Case(one, options=("--subject", "Anna"))
 
 
+@layout("`heel_x`, `heel_y`, `heel_likelihood` or `heel_visibility`")
+def confidence(folder):
+    for word in ("likelihood", "visibility", "score"):
+        head = ["time", *(f"{joint}_{what}" for joint in JOINTS for what in ("x", "y", word))]
+        rows = [[time, *(cell for point in row for cell in (*point, "0.9"))] for time, row in zip(times(), plane())]
+        yield Case(write(folder / "a.csv", [head, *rows]), "plane")
+        rows[50][3] = "0.2"
+        yield Case(write(folder / "b.csv", [head, *rows]), note=f"1 of {len(rows) * len(JOINTS)} positions are below")
+
+
+@layout("a row for each point of a frame: `frame`, `bodypart`, `x`, `y`")
+def tidy(folder):
+    rows = [[i, joint, *point] for i, row in enumerate(plane()) for joint, point in zip(JOINTS, row)]
+    path = write(folder / "a.csv", [["frame", "bodypart", "x", "y"], *rows])
+    yield Case(path, error="several rows, each with the x and y of one point, are of frame 0", options=("--fps", "60"))
+
+
 @layout("a row for each frame of each track: `track`, `frame_idx`, `instance.score`")
 def sleap(folder):
     head = ["track", "frame_idx", "instance.score",
@@ -284,6 +310,8 @@ def sleap(folder):
     both = write(folder / "two.csv", [head, *sorted(first + second, key=lambda row: row[1])])
     yield Case(both, error="there are 2 subjects, 'track_0', 'track_1'")
     yield Case(both, "plane", (*fps, "--subject", "track_0"))
+    named = [["frame", "id", *head[3:]], *([row[1], 1 + (row[0] == "track_1"), *row[3:]] for row in first + second)]
+    yield Case(write(folder / "id.csv", named), "plane", (*fps, "--subject", "1"))
     holes = write(folder / "holes.csv", [head, *(row for row in first if not 100 <= row[1] < 110)])
     yield Case(holes, options=fps, note="rows are missing by the count of frames: 10 of")
 
@@ -306,8 +334,11 @@ def motive(parent, subject="S"):
 
 @layout("Motive: Type, Name, ID, Parent")
 def optitrack(folder):
-    for parent in (None, "", "Body"):
+    for parent in (None, "", "Body", "S"):
         yield Case(write(folder / "a.csv", motive(parent)))
+    above = motive("S")
+    above[4:6] = reversed(above[4:6])
+    yield Case(write(folder / "a.csv", above))
     yield Case(write(folder / "a.csv", motive("")), note="unit of length in the lines before the numbers: Meters")
 
 
@@ -336,6 +367,8 @@ def qualisys(folder):
     columns = ["Frame", "Time", *(f"{joint} {axis}" for joint in JOINTS for axis in "XYZ")]
     for lines in ([*head, *rows], [*head, types, *rows], [*head, *timed], [*head, types, columns, *timed]):
         yield Case(write(folder / "a.tsv", lines, "\t"))
+    yield Case(write(folder / "a.tsv", [*head, *([i + 1, *row] for i, row in enumerate(rows))], "\t"))
+    yield Case(write(folder / "a.tsv", [*head, *rows], "\t", "\t\n"))
     wrong = write(folder / "wrong.tsv", [*head, *(row[:-1] for row in rows)], "\t")
     yield Case(wrong, error=f"MARKER_NAMES has {len(JOINTS)} names, but the rows have {3 * len(JOINTS) - 1} columns")
 
@@ -419,3 +452,7 @@ def others(folder):
     path = write(folder / "a.csv", beside)
     yield Case(path)
     yield Case(path, note="columns of text, left out: 'side'")
+    for letter, axes in (("v", "xyz"), ("a", "xyz"), ("q", "xyzw")):
+        names = [f"{joint}_{letter}{axis}" for joint in JOINTS for axis in axes]
+        beside = [[*line, *(names if i == 0 else ["1"] * len(names))] for i, line in enumerate(lines)]
+        yield Case(write(folder / "b.csv", beside))

@@ -33,6 +33,11 @@ def trc_files(folder):
     yield Case(write(folder / "f.trc", seven, "\t"), "upright")
     close = [[cell for cell in lines[3] if cell] if i == 3 else line for i, line in enumerate(lines)]
     yield Case(write(folder / "g.trc", close, "\t"), "upright")  # names one after another
+    for form in ("{}", "{}_{}"):
+        each = [*lines[3][:2], *(form.format(joint, axis) for joint in JOINTS for axis in "XYZ")]
+        yield Case(write(folder / "h.trc", [*lines[:3], each, *lines[4:]], "\t"), "upright")
+    untimed = lines[:6] + [[line[0], "", *line[2:]] for line in lines[6:]]
+    yield Case(write(folder / "i.trc", untimed, "\t"), "upright")
 
 
 @layout("TRC of several subjects: `Anna:heel`, `Ben:heel`")

@@ -42,6 +42,20 @@ def units(folder):
         yield Case(write(folder / "a.csv", timed(name, cells)))
 
 
+@layout("a first column of another name, such as `Zeit` or `elapsed_ms`")
+def other_names(folder):
+    for name in ("Zeit", "Temps (s)", "elapsed"):
+        path = write(folder / "a.csv", timed(name, times()))
+        yield Case(path)
+        yield Case(path, note=f"column '{name}' increases by equal steps: taken as time, in seconds")
+    milliseconds = [f"{1000 * float(time):.0f}" for time in times()]
+    yield Case(write(folder / "b.csv", timed("elapsed_ms", milliseconds)))
+    since = [1700000000000 + round(1000 * i / FPS) for i in range(len(walk_points()))]
+    yield Case(write(folder / "c.csv", timed("host_timestamp", since)))
+    percent = write(folder / "d.csv", timed("Time (%)", times()))
+    yield Case(percent, note="no coordinates of points, so left out: column 'Time (%)'")
+
+
 @layout("dates and times of day: `2024-01-31 12:00:00.033`")
 def dates(folder):
     def stamped(between, zone, comma="."):
@@ -55,6 +69,10 @@ def dates(folder):
     yield Case(write(folder / "b.csv", stamped("T", "+01:00")))
     yield Case(write(folder / "c.csv", stamped(" ", ""), "\t"))
     yield Case(write(folder / "d.csv", stamped("T", "Z", ","), ";"))
+    seconds = [i / FPS for i in range(len(walk_points()))]
+    for form in ("31.12.2023 12:00:{:09.6f}", "12/31/2023 11:59:{:09.6f} PM", "31/12/2023 9:00:{:09.6f}",
+                 "00:{:09.6f}", "12:00:{:09.6f}"):  # fmt: skip
+        yield Case(write(folder / "e.csv", timed("Datum", [form.format(second) for second in seconds])))
 
 
 @layout("counters, such as `frame`, of any range")
@@ -90,6 +108,13 @@ def holes(folder):
     lines = trc(upright())
     rows = write(folder / "c.trc", lines[: 6 + HOLE[0]] + lines[6 + HOLE[-1] + 1 :], "\t")
     yield Case(rows, note="10 of")
+
+
+@layout("a rate in the lines before the table: `# fps: 60`, `Frequency,60`")
+def stated(folder):
+    lines = [line[1:] for line in table(walk_points(), with_underscore)]
+    for head in (["# fps: 60"], ["Frame rate = 60 Hz"], ["Frequency", "60"], ["Sampling rate (Hz)", "60"]):
+        yield Case(write(folder / "a.csv", [head, ["name", "walk"], *lines]))
 
 
 @layout("lines before the table that say another rate")

@@ -253,6 +253,13 @@ bool are_rounded(std::span<const double> times) {
     return line_through(times, consecutive(times.size())).spread <= rounding * digit;
 }
 
+bool are_equal_steps(std::span<const double> times) {
+    constexpr double exact = 1e-3, rounding = 2; // two steps differ by twice the error of a time
+    const TimeSteps steps(times);
+    const double digit = std::min(digit_of(times), steps.mean / 10);
+    return steps.most - steps.least <= std::max(exact * steps.mean, rounding * digit);
+}
+
 EvenRows even_rows(Matrix rows, const Clock& clock, const std::string& where) {
     const std::span<const double> times = clock.times;
     const TimeSteps steps(times);

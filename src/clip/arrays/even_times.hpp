@@ -31,6 +31,9 @@ struct TimeSteps {
 /// some of the steps are twice as long as others, or 0.
 bool are_rounded(std::span<const double> times);
 
+/// Whether all steps are equal, except for the digits with which the times were written.
+bool are_equal_steps(std::span<const double> times);
+
 /// What tells the places of rows in time.
 struct Clock {
     std::span<const double> times;        ///< seconds, increasing; two or more

@@ -42,6 +42,14 @@ class Reading {
         return value && *value < limit ? value : std::nullopt;
     }
 
+    bool skip_word(std::string_view word) {
+        const bool there = equals_ignoring_case(rest_.substr(0, word.size()), word);
+        rest_.remove_prefix(there ? word.size() : 0);
+        return there;
+    }
+
+    bool is_at_point() const { return rest_.starts_with('.') || rest_.starts_with(','); }
+
     /// The digits after a point, or after the comma of some countries.
     double fraction() {
         double value = 0, unit = 1;
@@ -61,28 +69,38 @@ class Reading {
     std::string_view rest_;
 };
 
-/// Seconds from 1970 to the beginning of the day.
+/// Seconds from 1970 to the beginning of the day: 2024-01-31, 31.1.2024, or 1/31/2024. If 12 or
+/// less is first before a slash, it is the month.
 std::optional<double> date_of(Reading& in) {
-    const auto year = in.digits(4, 4);
-    const char between = in.skip('-') ? '-' : in.skip('/') ? '/' : '\0';
-    const auto month = year && between != '\0' ? in.below(13) : std::nullopt;
-    const auto date = month && in.skip(between) ? in.below(32) : std::nullopt;
-    if (!date)
+    const auto first = in.digits(1, 4);
+    const char between = in.skip('-') ? '-' : in.skip('/') ? '/' : in.skip('.') ? '.' : '\0';
+    const auto second = first && between != '\0' ? in.below(32, 1) : std::nullopt;
+    const auto third = second && in.skip(between) ? in.digits(1, 4) : std::nullopt;
+    constexpr int least_year = 1000;
+    if (!third || (*first < least_year) == (*third < least_year))
         return std::nullopt;
-    const std::chrono::year_month_day found{std::chrono::year(*year),
-                                            std::chrono::month(static_cast<unsigned>(*month)),
-                                            std::chrono::day(static_cast<unsigned>(*date))};
+    const bool year_first = *first >= least_year, month_first = between == '/' && *first <= 12;
+    const int year = year_first ? *first : *third;
+    const int month = year_first || !month_first ? *second : *first;
+    const int date = year_first ? *third : month_first ? *second : *first;
+    const std::chrono::year_month_day found{std::chrono::year(year),
+                                            std::chrono::month(static_cast<unsigned>(month)),
+                                            std::chrono::day(static_cast<unsigned>(date))};
     if (!found.ok())
         return std::nullopt;
     return seconds_a_day *
            static_cast<double>(std::chrono::sys_days(found).time_since_epoch().count());
 }
 
-/// Seconds since midnight.
+/// Seconds since midnight, or, as 00:12.345 is, since the beginning.
 std::optional<double> time_of_day(Reading& in) {
-    const auto hours = in.below(24, 1);
+    const auto hours = in.below(60, 1);
     const auto minutes = hours && in.skip(':') ? in.below(60) : std::nullopt;
     if (!minutes)
+        return std::nullopt;
+    if (in.is_at_point())
+        return seconds_a_minute * *hours + *minutes + in.fraction();
+    if (*hours >= 24)
         return std::nullopt;
     double seconds = seconds_an_hour * *hours + seconds_a_minute * *minutes;
     if (!in.skip(':'))
@@ -92,6 +110,15 @@ std::optional<double> time_of_day(Reading& in) {
         return std::nullopt;
     seconds += *whole;
     return seconds + in.fraction();
+}
+
+/// Moves the hours of "11:30 PM" to those of the day.
+double of_day(double seconds, Reading& in) {
+    constexpr double noon = 12 * seconds_an_hour;
+    in.skip(' ');
+    const bool am = in.skip_word("am"), pm = !am && in.skip_word("pm");
+    const bool is_twelve = seconds >= noon && seconds < noon + seconds_an_hour;
+    return am && is_twelve ? seconds - noon : pm && seconds < noon ? seconds + noon : seconds;
 }
 
 /// Seconds by which the zone at the end is before UTC.
@@ -121,10 +148,13 @@ std::optional<double> parse_date_time(std::string_view cell) {
     else if (!in.skip('T') && !in.skip('t') && !in.skip(' '))
         return std::nullopt;
     const auto time = time_of_day(in);
-    const auto zone = time ? zone_of(in) : std::nullopt;
+    if (!time)
+        return std::nullopt;
+    const double seconds = of_day(*time, in);
+    const auto zone = zone_of(in);
     if (!zone || !in.at_end())
         return std::nullopt;
-    return date.value_or(0) + *time - *zone;
+    return date.value_or(0) + seconds - *zone;
 }
 
 } // namespace stltsa::clip

@@ -7,6 +7,7 @@
 
 #include "clip/csv/cells.hpp"
 #include "clip/csv/date_time.hpp"
+#include "clip/csv/time_names.hpp"
 #include "clip/features/point_names.hpp"
 #include "clip/text/number.hpp"
 
@@ -90,6 +91,13 @@ bool names_subjects(const Line& cells) {
     constexpr std::string_view labels[] = {"individual", "individuals", "subject",
                                            "subjects",   "animal",      "animals"};
     return is_labelled(cells, labels);
+}
+
+/// "X", or the "X1" of some programs, which number the points.
+bool is_axis(std::string_view cell) {
+    constexpr std::string_view axes = "xyzXYZ", digits = "0123456789";
+    return !cell.empty() && axes.find(cell[0]) != axes.npos &&
+           cell.find_first_not_of(digits, 1) == cell.npos;
 }
 
 /// A name stands above the first of its columns.
@@ -188,6 +196,8 @@ class HeadReader {
                 continue;
             separator_ = separator;
             columns_ = cells.size();
+            // A point that is missing lacks more than the last cell.
+            rows_end_open_ = cells.back().empty() && !cells[columns_ - 2].empty();
             after_ = before[lines.size() - 2];
             for (std::size_t i = 0; i + 2 < lines.size(); ++i)
                 lines_.push_back(split(lines[i], separator));
@@ -196,10 +206,11 @@ class HeadReader {
         return false;
     }
 
-    /// A line with a number only, such as that after "Trajectories", or the cell after "... rate".
+    /// A line with a number only, such as that after "Trajectories", or the number after "...
+    /// rate", in the next cell or, as in "# fps: 30", in the same one.
     void find_rate(Head& head) const {
-        const auto take = [&](const std::string& cell) {
-            const auto rate = parse_cell(cell);
+        const auto take = [&](std::string_view cell) {
+            const auto rate = parse_cell(next_word(cell)); // "30 Hz"
             if (rate && *rate >= least_rate && *rate <= most_rate && head.fps == 0)
                 head.fps = *rate;
         };
@@ -212,16 +223,27 @@ class HeadReader {
         // The rate of the rows is the exported one; that of analog channels is another one.
         for (const std::string_view wanted : {"export", ""})
             for (const Line& cells : lines_)
-                for (std::size_t c = 0; c + 1 < cells.size(); ++c) {
-                    const std::string label = to_lower(cells[c]);
-                    if ((label.find("rate") != label.npos ||
-                         label.find("frequency") != label.npos) &&
-                        label.find(wanted) != label.npos && label.find("analog") == label.npos)
+                for (std::size_t c = 0; c < cells.size(); ++c) {
+                    const std::string_view cell = cells[c];
+                    const std::size_t end = cell.find_first_of(":=");
+                    if (!is_rate(cell.substr(0, end), wanted))
+                        continue;
+                    if (end != cell.npos)
+                        take(cell.substr(end + 1));
+                    if (c + 1 < cells.size())
                         take(cells[c + 1]);
                 }
         if (head.fps > 0)
             head.notes.push_back(
                 format_text("{:g} frames a second from the lines before the header", head.fps));
+    }
+
+    static bool is_rate(std::string_view label, std::string_view wanted) {
+        constexpr std::string_view words[] = {"rate", "frequency", "fps", "frames per second"};
+        const std::string text = to_lower(label);
+        return text.find(wanted) != text.npos && text.find("analog") == text.npos &&
+               std::ranges::any_of(
+                   words, [&](std::string_view word) { return text.find(word) != text.npos; });
     }
 
     /// The unit of length of a preamble, such as "Length Units,Meters".
@@ -246,14 +268,15 @@ class HeadReader {
             return false;
         const auto markers = static_cast<std::size_t>(
             std::find_if_not(line->begin() + 1, line->end(), is_filled) - line->begin() - 1);
-        const std::size_t before = columns_ - std::min(columns_, 3 * markers);
-        if (before + 3 * markers != columns_ || (before != 0 && before != 2))
+        const std::size_t columns = columns_ - (rows_end_open_ ? 1 : 0);
+        const std::size_t before = columns - std::min(columns, 3 * markers);
+        if (before + 3 * markers != columns || before > 2)
             in_.fail(Status::format,
                      "the line MARKER_NAMES has {} names, but the rows have {} columns: expected "
                      "3 for each name, perhaps after a frame number and a time",
                      markers, columns_);
-        if (before == 2)
-            head.names = {"Frame", "Time"};
+        head.names = {"Frame", "Time"};
+        head.names.resize(before);
         for (std::size_t c = 0; c < 3 * markers; ++c)
             head.names.push_back((*line)[1 + c / 3] + '_' + "xyz"[c % 3]);
         return true;
@@ -280,7 +303,7 @@ class HeadReader {
     }
 
     bool has_units(const Line& cells) const {
-        return can_be_level(cells) && is_all(cells, is_unit);
+        return can_be_level(cells) && is_all(cells, is_unit) && !is_beside_names(cells);
     }
 
     /// Whether it could, but all its columns are empty, as those of "Parent" may be.
@@ -331,16 +354,20 @@ class HeadReader {
             std::string name;
             char between = '_';
             // The first columns may be an index, with the titles of the lines above.
-            const bool labelled = c < 2 && levels.size() > 1 && columns_ > 2 &&
-                                  levels.front()[c] != levels.front()[c == 0 ? 1 : 2] &&
-                                  !(c == 1 && levels.front()[c] == levels.front()[0]);
+            const bool labelled =
+                c < 2 && levels.size() > 1 && columns_ > 2 &&
+                levels.front()[c] != levels.front()[c == 0 ? 1 : 2] &&
+                !(c == 1 && (levels.front()[c] == levels.front()[0] || is_axis(levels.front()[c])));
             for (const Line& level : levels)
                 if (!level[c].empty() && (!labelled || &level == &levels.back())) {
                     if (!name.empty())
                         name += between;
-                    name += level[c];
+                    name += !name.empty() && is_axis(level[c]) ? level[c].substr(0, 1) : level[c];
                     between = names_subjects(level) ? ':' : '_';
                 }
+            for (const Line& level : levels) // "Time" above an empty cell
+                if (labelled && name.empty() && (time_name(level[c]) || is_counter_name(level[c])))
+                    name = level[c];
             head.names.push_back(name);
         }
         set_units(head);
@@ -369,6 +396,7 @@ class HeadReader {
     Line units_;              ///< of the columns; may be empty
     TextCursor after_ = in_;  ///< before the first row of numbers
     std::size_t columns_ = 0;
+    bool rows_end_open_ = false; ///< with a separator
     std::size_t first_level_ = 0;
     char separator_ = ',';
     std::string index_name_;

@@ -46,7 +46,9 @@ class PointFinder {
     explicit PointFinder(const std::vector<std::string>& names, AxisPlace place) {
         found_.names = names;
         for (std::size_t c = 0; c < names.size(); ++c)
-            if (Coordinate coordinate = coordinate_of(names[c], place); coordinate.point.empty())
+            // "visibility" ends as an axis.
+            if (Coordinate coordinate = coordinate_of(names[c], place);
+                coordinate.point.empty() || !point_of_confidence(names[c]).empty())
                 rest_.push_back(c);
             else
                 add(coordinate, c);
@@ -88,14 +90,17 @@ class PointFinder {
         return true;
     }
 
-    /// Axes such as "Leg.rx", as tables of poses have them. An "ankle_rx" beside "ankle_lx" is the
-    /// right ankle.
-    bool is_rotation(const Point& point) const {
+    /// Axes with a letter before them, such as "Leg.rx" of rotations, as tables of poses have them,
+    /// of quaternions, velocities and accelerations. An "ankle_rx" beside "ankle_lx" is the right
+    /// ankle, and "a" may be followed by "b".
+    bool has_other_axes(const Point& point) const {
+        constexpr std::string_view letters = "rqvwa", beside = "l   b";
         std::string name = to_lower(point.name);
-        if (point.is_set_apart || name.size() < 2 || name.back() != 'r' ||
+        const std::size_t letter = name.empty() ? letters.npos : letters.find(name.back());
+        if (point.is_set_apart || name.size() < 2 || letter == letters.npos ||
             std::isalnum(static_cast<unsigned char>(name[name.size() - 2])) != 0)
             return false;
-        name.back() = 'l';
+        name.back() = beside[letter];
         return !by_name_.contains(name);
     }
 
@@ -106,7 +111,7 @@ class PointFinder {
                     if (column != none)
                         found_.others.push_back(found_.names[static_cast<std::size_t>(column)]);
             } else if (is_other_quantity(point.name) || is_other_unit(point.unit) ||
-                       is_rotation(point)) {
+                       has_other_axes(point)) {
                 found_.quantities.push_back(std::move(point.name));
             } else {
                 found_.points.push_back(std::move(point));
@@ -121,9 +126,12 @@ class PointFinder {
 
 /// The place of the axes is the one that more columns have.
 Columns find_points(const std::vector<std::string>& names) {
-    Columns last = PointFinder(names, AxisPlace::last).columns();
-    Columns first = PointFinder(names, AxisPlace::first).columns();
-    return first.points.size() > last.points.size() ? std::move(first) : std::move(last);
+    Columns best = PointFinder(names, AxisPlace::last).columns();
+    for (const AxisPlace place : {AxisPlace::counted, AxisPlace::first})
+        if (Columns found = PointFinder(names, place).columns();
+            found.points.size() > best.points.size())
+            best = std::move(found);
+    return best;
 }
 
 /// Whether the last word of a file's name is one for angles, as of "walk_rot.csv".

@@ -66,16 +66,29 @@ void keep_rows(Clip& clip, const std::vector<std::string>& subjects,
 bool names_subject(std::string_view column) {
     return is_any(column,
                   {"track", "track_id", "track_name", "individual", "individuals", "individual_id",
-                   "subject", "animal", "animal_id", "person", "person_id", "player"});
+                   "subject", "subject_id", "animal", "animal_id", "person", "person_id", "player",
+                   "participant", "actor", "id", "object_id", "body_id", "instance"});
 }
 
 void take_rows_of_subject(Clip& clip, std::optional<std::size_t> column,
                           const std::vector<std::string>& subjects,
                           std::vector<std::int64_t>& lines, const std::string& file,
                           const ReadOptions& options) {
-    if (!column)
-        return;
     const auto frames = frame_column(clip);
+    if (!column) {
+        const auto has = [&](std::string_view name) {
+            return std::ranges::any_of(clip.channel_names,
+                                       [&](const auto& other) { return is_any(other, {name}); });
+        };
+        const auto frame =
+            frames && has("x") && has("y") ? repeated(clip.values, *frames) : std::nullopt;
+        if (frame)
+            fail(Status::format,
+                 "{}: several rows, each with the x and y of one point, are of frame {:g}: "
+                 "expected one row for each frame, with columns for all points, such as heel_x",
+                 file, *frame);
+        return;
+    }
     const bool has_names = std::ranges::any_of(
         subjects, [](const std::string& name) { return !name.empty() && !parse_cell(name); });
     if (has_names || (frames && repeated(clip.values, *frames)))

@@ -10,6 +10,7 @@
 #include "clip/csv/point_columns.hpp"
 #include "clip/csv/row_count.hpp"
 #include "clip/csv/time_names.hpp"
+#include "clip/features/point_names.hpp"
 #include "clip/text/number.hpp"
 #include "clip/text/text_cursor.hpp"
 
@@ -83,6 +84,8 @@ class TimeColumns {
         for (const std::int64_t column : found)
             take_time(column);
         take_counts();
+        if (!has_clock_)
+            guess_clock();
         remove();
         if (!times_.empty())
             use_times();
@@ -219,6 +222,8 @@ class TimeColumns {
         const std::int64_t line = facts_.lines[fault];
         const bool missing = std::isnan(values[fault]);
         remove_column(column);
+        if (std::ranges::all_of(values, [](double value) { return std::isnan(value); }))
+            return note("column {} is empty: not used", shown);
         if (said_ > 0 && !missing && std::ranges::count(values, values[0]) == std::ssize(values))
             return note("column {} is {:g} in all rows: not used", shown, values[0]);
         const std::string why = missing ? "has no value"
@@ -270,6 +275,32 @@ class TimeColumns {
             counts_ = count->places;
             count_step_ = count->step;
         }
+    }
+
+    /// The first column, if it increases as only a clock does: in other languages, time has other
+    /// names.
+    void guess_clock() {
+        constexpr std::int64_t enough_rows = 20;
+        const auto first = std::ranges::find(removed_, false);
+        if (first == removed_.end() || clip_.values.rows() < enough_rows)
+            return;
+        const std::int64_t column = first - removed_.begin();
+        std::vector<double> values = column_of(clip_.values, column);
+        auto unit = unit_after(title(column));
+        if (const Unit* dated = unit_since_1970(values.front()))
+            unit = dated->seconds;
+        if (!unit || first_fault(values) || !are_equal_steps(values) ||
+            !coordinate_of(title(column), AxisPlace::last).point.empty())
+            return;
+        if (!options_.fps && !is_plausible(rate_of(TimeSteps(values).mean * *unit)))
+            return;
+        note("column {} increases by equal steps: taken as time{}", in_quotes(title(column)),
+             *unit == 1 ? ", in seconds" : "");
+        has_clock_ = true;
+        remove_column(column);
+        times_ = std::move(values);
+        for (double& time : times_)
+            time *= *unit;
     }
 
     void remove() {
@@ -343,8 +374,7 @@ void note_unnamed_time(Clip& clip) {
     const std::vector<double> first = column_of(clip.values, 0);
     if (first_fault(first))
         return;
-    const TimeSteps steps(first);
-    if (steps.most - steps.least <= 1e-3 * steps.mean)
+    if (are_equal_steps(first))
         clip.notes.push_back("column 1 increases by equal steps: if it is time or a frame number, "
                              "remove it, or name it so in a header line");
 }

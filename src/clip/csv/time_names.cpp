@@ -64,6 +64,8 @@ std::optional<double> unit_of(std::string_view word) {
 
 std::optional<TimeName> time_name(std::string_view column) {
     const std::string name = squashed(column);
+    if (column.find('%') != column.npos)
+        return std::nullopt;
     if (name == "seconds")
         return TimeName{1, false};
     for (const std::string_view word : {"timestamps", "timestamp", "times", "time", "elapsedtime",
@@ -76,6 +78,18 @@ std::optional<TimeName> time_name(std::string_view column) {
             return TimeName{*unit, letter};
     }
     return std::nullopt;
+}
+
+std::optional<double> unit_after(std::string_view column) {
+    if (column.find('%') != column.npos)
+        return std::nullopt;
+    const std::string_view name = trim(column);
+    const std::size_t place = name.find_last_of("_ .([");
+    const auto unit = unit_of(squashed(place == name.npos ? name : name.substr(place)));
+    const bool is_bracket = name.ends_with(')') || name.ends_with(']');
+    if (unit && *unit > 0)
+        return unit;
+    return is_bracket ? std::nullopt : std::optional(1.0);
 }
 
 bool is_counter_name(std::string_view column) {

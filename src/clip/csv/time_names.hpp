@@ -17,6 +17,10 @@ struct TimeName {
 /// "T10" or "t_2", which are markers.
 std::optional<TimeName> time_name(std::string_view column);
 
+/// The unit of time at the end of another name, in seconds: 1e-3 of "elapsed_ms" and "Zeit (ms)", 1
+/// of "Zeit". None if the name says that it is not time: "Zeit (%)", "angle (deg)".
+std::optional<double> unit_after(std::string_view column);
+
 /// "frame", "Frame#", "packet counter", "sample_index" and the like.
 bool is_counter_name(std::string_view column);
 

@@ -25,13 +25,13 @@ std::string_view in_bracket(std::string_view name) {
                               : trim(name.substr(begin + 1, name.size() - begin - 2));
 }
 
-/// The axis of "x" or "Y", and of the indices 0 to 2 if it is in a bracket.
-std::optional<std::size_t> axis_of(std::string_view text, bool of_bracket) {
-    constexpr std::string_view letters = "xyz", indices = "012";
+/// The axis of "x" or "Y", and of three indices if it is in a bracket.
+std::optional<std::size_t> axis_of(std::string_view text, std::string_view indices) {
+    constexpr std::string_view letters = "xyz";
     if (text.size() != 1)
         return std::nullopt;
     std::size_t axis = letters.find(to_lower(text));
-    if (axis == letters.npos && of_bracket)
+    if (axis == letters.npos)
         axis = indices.find(text[0]);
     return axis == letters.npos ? std::nullopt : std::optional(axis);
 }
@@ -43,10 +43,10 @@ Coordinate named(std::string_view point, std::size_t axis) {
     return {std::string(point), std::string(point) + '_' + "xyz"[axis], axis, true};
 }
 
-Coordinate axis_last(std::string_view name) {
-    if (const auto axis = axis_of(in_bracket(name), true))
+Coordinate axis_last(std::string_view name, std::string_view indices) {
+    if (const auto axis = axis_of(in_bracket(name), indices))
         return named(trim(name.substr(0, bracket_of(name))), *axis);
-    const auto axis = name.empty() ? std::nullopt : axis_of(name.substr(name.size() - 1), false);
+    const auto axis = name.empty() ? std::nullopt : axis_of(name.substr(name.size() - 1), {});
     const std::string_view point = axis ? point_name(name) : std::string_view();
     if (point.empty())
         return {};
@@ -57,13 +57,14 @@ Coordinate axis_last(std::string_view name) {
 
 Coordinate axis_first(std::string_view name) {
     constexpr std::string_view digits = "0123456789";
-    const auto axis = axis_of(name.substr(0, 1), false);
+    const auto axis = axis_of(name.substr(0, 1), {});
     if (!axis || name.size() < 2)
         return {};
+    const bool is_small = name[0] >= 'a';
     name.remove_prefix(1);
     if (separators.find(name[0]) != separators.npos)
         name.remove_prefix(1);
-    else if (digits.find(name[0]) == digits.npos)
+    else if (digits.find(name[0]) == digits.npos && !(is_small && name[0] >= 'A' && name[0] <= 'Z'))
         return {};
     return named(name, *axis);
 }
@@ -78,16 +79,36 @@ bool has_word(const std::string& stem, std::string_view word) {
     return (at == 0 || !is_letter(stem[at - 1])) && (end == stem.size() || !is_letter(stem[end]));
 }
 
+/// Every index that may be that of an axis.
+constexpr std::string_view all_indices = "0123";
+
+/// Where a unit of length begins that follows an axis, as in "heel_x_mm"; npos: none does.
+std::size_t length_of(std::string_view name) {
+    constexpr std::string_view units[] = {"mm", "cm", "m", "px"};
+    const std::size_t place = name.rfind('_');
+    const auto is_unit = [&](std::string_view unit) {
+        return equals_ignoring_case(name.substr(place + 1), unit);
+    };
+    const bool follows = place != name.npos && place > 1 &&
+                         axis_of(name.substr(place - 1, 1), {}) &&
+                         separators.find(name[place - 2]) != separators.npos;
+    return follows && std::ranges::any_of(units, is_unit) ? place : name.npos;
+}
+
 } // namespace
 
 std::string_view unit_of(std::string_view name) {
-    const std::string_view unit = in_bracket(trim(name));
-    return axis_of(unit, true) ? std::string_view() : unit;
+    const std::string_view whole = trim(name), unit = in_bracket(whole);
+    if (const std::size_t length = length_of(whole); length != whole.npos)
+        return whole.substr(length + 1);
+    return axis_of(unit, all_indices) ? std::string_view() : unit;
 }
 
 std::string_view without_unit(std::string_view name) {
     const std::string_view whole = trim(name);
-    return axis_of(in_bracket(whole), true) ? whole : trim(whole.substr(0, bracket_of(whole)));
+    if (const std::size_t length = length_of(whole); length != whole.npos)
+        return whole.substr(0, length);
+    return unit_of(whole).empty() ? whole : trim(whole.substr(0, bracket_of(whole)));
 }
 
 bool is_other_unit(std::string_view unit) {
@@ -112,7 +133,8 @@ std::string_view point_name(std::string_view coordinate) {
 
 Coordinate coordinate_of(std::string_view column, AxisPlace place) {
     const std::string_view name = without_unit(column);
-    return place == AxisPlace::last ? axis_last(name) : axis_first(name);
+    return place == AxisPlace::first ? axis_first(name)
+                                     : axis_last(name, place == AxisPlace::last ? "012" : "123");
 }
 
 std::string_view point_of_confidence(std::string_view column) {

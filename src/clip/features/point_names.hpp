@@ -14,7 +14,7 @@ constexpr std::int64_t least_points = 3;
 /// The name of a coordinate, not empty, without its axis: "heel" of "heel_x".
 std::string_view point_name(std::string_view coordinate);
 
-/// The unit after a name: "mm" of "heel_x [mm]" and "heel_x (mm)"; empty: none.
+/// The unit after a name: "mm" of "heel_x [mm]", "heel_x (mm)" and "heel_x_mm"; empty: none.
 std::string_view unit_of(std::string_view name);
 
 /// The name without the unit.
@@ -24,8 +24,9 @@ std::string_view without_unit(std::string_view name);
 bool is_other_unit(std::string_view unit);
 
 /// Where the names have the axis: after the point, as "heel_x", "heel.Y", "heel z", "heelX",
-/// "heel:x", "heel[0]", "heel (x)", or before it, as "x_heel", "X.heel", "x1".
-enum class AxisPlace { last, first };
+/// "heel:x", "heel[0]", "heel (x)", as a number from 1, as "heel[1]", or before it, as "x_heel",
+/// "X.heel", "xHeel", "x1".
+enum class AxisPlace { last, counted, first };
 
 /// A column that is named as the coordinate of a point.
 struct Coordinate {

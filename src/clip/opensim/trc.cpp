@@ -10,6 +10,7 @@
 #include "clip/csv/point_columns.hpp"
 #include "clip/csv/table.hpp"
 #include "clip/csv/time_column.hpp"
+#include "clip/features/point_names.hpp"
 #include "clip/features/points.hpp"
 #include "clip/features/subjects.hpp"
 #include "clip/opensim/header.hpp"
@@ -127,9 +128,23 @@ class TrcReader {
             if (apart ? (c - before_markers) % 3 == 0 : !cells[c].empty())
                 markers_.push_back(cells[c].empty() ? format_text("{}", markers_.size() + 1)
                                                     : cells[c]);
+        name_each_once();
         if (markers_.empty())
             in_.fail(Status::format, "there are no names of markers after {} and {}",
                      in_quotes(first_[0]), in_quotes(first_[1]));
+    }
+
+    /// Some repeat the name above each of the three columns, perhaps with its axis.
+    void name_each_once() {
+        const auto count = parse_integer(said("nummarkers"));
+        if (!count || *count < 1 || std::ssize(markers_) != 3 * *count)
+            return;
+        Line once;
+        for (std::size_t c = 0; c < markers_.size(); c += 3) {
+            const std::string point = coordinate_of(markers_[c], AxisPlace::last).point;
+            once.push_back(point.empty() ? markers_[c] : point);
+        }
+        markers_ = std::move(once);
     }
 
     /// X1 Y1 Z1 X2 ...

@@ -185,8 +185,15 @@ void dates(void**) {
     assert_true(parse_date_time("2024-02-29T00:00:00Z") == 1709164800);
     assert_true(parse_date_time("2024-01-01T13:30:00+01:30") == 1704110400);
     assert_true(parse_date_time("12:00:00,25") == 43200.25);
-    for (const char* wrong : {"2023-02-29", "2024-13-01", "2024-01-01 25:00:00", "12:60", "12", "x",
-                              "2024-01-01 x", "2024-01-01T12:00:00+", "", "1:2:3:4"})
+    assert_true(parse_date_time("00:12.345") == 12.345);
+    assert_true(parse_date_time("1:30 PM") == 48600 && parse_date_time("12:30:00 am") == 1800);
+    assert_true(parse_date_time("12:30 pm") == 45000);
+    for (const char* day : {"1970-02-03", "1970/2/3", "3.2.1970", "03-02-1970", "2/3/1970"})
+        assert_true(parse_date_time(day) == 33 * 86400);
+    assert_true(parse_date_time("31/1/1970") == 30 * 86400);
+    for (const char* wrong :
+         {"2023-02-29", "2024-13-01", "2024-01-01 25:00:00", "12:60", "12", "x", "1.2.3",
+          "32.1.1970", "1-2-3", "2024-01-01 x", "2024-01-01T12:00:00+", "", "1:2:3:4"})
         assert_false(parse_date_time(wrong).has_value());
     for (const char* head : {"timestamp", "when"})
         for (const char* form : {"2024-01-01 12:00:{:06.3f}", "\"2024-01-01T12:00:{:06.3f}+01:00\"",
@@ -214,6 +221,21 @@ void times_since_1970(void**) {
             csv(table("timestamp", 40,
                       [digits](int i) { return format_text(fmt::runtime(digits), 20 * i); })),
             40, 50);
+}
+
+/// In other languages, time has other names; but it must be the first column, and even.
+void other_names_of_time(void**) {
+    const auto seconds = [](int i) { return format_text("{:.3f}", i / 30.0); };
+    check_all_rows(csv(table("Zeit", 40, seconds)), 40, 30);
+    check_all_rows(
+        csv(table("Bild-Zeit (ms)", 40, [](int i) { return format_text("{}", 20 * i); })), 40, 50);
+    for (const char* head : {"hip_x", "Gang (%)", "angle (deg)"})
+        assert_int_equal(csv(table(head, 40, seconds)).values.cols(), 2);
+    const auto uneven = [](int i) { return format_text("{:.3f}", i / 30.0 + (i % 3) * 0.004); };
+    assert_int_equal(csv(table("Zeit", 40, uneven)).values.cols(), 2);
+    assert_int_equal(csv(table("Zeit", 19, seconds)).values.cols(), 2);
+    const auto far = [](int i) { return format_text("{}", 4 * i); };
+    assert_int_equal(csv(table("Zeit", 40, far)).values.cols(), 2);
 }
 
 /// Without a unit, the numbers decide, and a note says how.
@@ -278,6 +300,7 @@ int main() {
         cmocka_unit_test(subframes),
         cmocka_unit_test(dates),
         cmocka_unit_test(times_since_1970),
+        cmocka_unit_test(other_names_of_time),
         cmocka_unit_test(guessed_units),
         cmocka_unit_test(faulty_clocks),
         cmocka_unit_test(variable_steps),
