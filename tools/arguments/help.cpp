@@ -35,8 +35,9 @@ Examples:
   stltsa info - < walk.bvh)";
 
 const char* const ending =
-    R"(Clips are BVH, AMC (with its ASF), CSV or NPY files; "-" is standard input, and
-for an output standard output: tables as CSV, figures as SVG, clips as BVH.
+    R"(Clips are BVH, AMC (with its ASF), CSV, TRC, MOT, C3D or NPY files; "-" is
+standard input, and for an output standard output: tables as CSV, figures as
+SVG, clips as BVH.
 Exit status: 0 done, 1 failed, 2 usage, 3 unreadable input, 4 no trustworthy
 result, 5 some clips of a batch failed, 130 cancelled.
 See also: man stltsa, stltsa help COMMAND.)";
