@@ -425,6 +425,14 @@ def separators(folder):
     yield Case(write(folder / "a.txt", lines, ";"))
 
 
+@layout("a header without the column of row names")
+def row_names(folder):
+    lines = table(walk_points(), with_underscore)
+    for separator in (",", " "):
+        named = [lines[0], *([f'"{i}"', *line] for i, line in enumerate(lines) if i > 0)]
+        yield Case(write(folder / "a.csv", named, separator))
+
+
 @layout("byte order mark, lines that end with CR LF or with a separator")
 def endings(folder):
     lines = table(walk_points(), with_underscore)
@@ -438,9 +446,9 @@ def endings(folder):
 @layout("missing values: empty cells, NaN, NA, null")
 def gaps(folder):
     lines = table(missing(), with_underscore)
-    for word in ("NaN", "NA", "null", "-"):
+    for word in ("NaN", "NA", "#N/A", "null", "-"):
         filled = [[cell if cell else word for cell in line] for line in lines]
-        yield Case(write(folder / f"{word}.csv", filled), "missing")
+        yield Case(write(folder / "word.csv", filled), "missing")
     yield Case(write(folder / "semicolon.csv", lines, ";"), "missing")
 
 

@@ -91,9 +91,9 @@ std::string text_of(std::string_view cell) {
 }
 
 bool is_gap(std::string_view cell) {
-    constexpr std::string_view words[] = {"",        "nan",    "na", "n/a",      "null",
-                                          "none",    "-nan",   "-",  "nan(ind)", "-nan(ind)",
-                                          "1.#qnan", "-1.#ind"}; // as C writes it on Windows
+    constexpr std::string_view words[] = {
+        "",  "nan",      "na",        "n/a",  "null",    "none",   "-nan",
+        "-", "nan(ind)", "-nan(ind)", "#n/a", "1.#qnan", "-1.#ind"}; // as C writes it on Windows
     return std::any_of(std::begin(words), std::end(words),
                        [cell](std::string_view word) { return equals_ignoring_case(cell, word); });
 }

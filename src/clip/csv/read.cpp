@@ -150,7 +150,11 @@ class CsvReader {
         const std::string_view second = next_row(ahead);
         separator_ = find_separator(second.empty() ? line : second);
         if (!line.empty() && is_header(split(line), data_cells(second))) {
-            header(split(line));
+            Cells cells = split(line);
+            const Cells below = data_cells(second);
+            if (below.size() == cells.size() + 1 && !below.back().empty()) // R: names of the rows
+                cells.insert(cells.begin(), std::string_view());
+            header(std::move(cells));
             line = next_row(in_);
         }
         for (; !line.empty(); line = next_row(in_))

@@ -84,7 +84,7 @@ class TimeColumns {
         for (const std::int64_t column : found)
             take_time(column);
         take_counts();
-        if (!has_clock_)
+        if (!has_clock_ && !options_.fps && said_ == 0)
             guess_clock();
         remove();
         if (!times_.empty())
@@ -277,8 +277,8 @@ class TimeColumns {
         }
     }
 
-    /// The first column, if it increases as only a clock does: in other languages, time has other
-    /// names.
+    /// The first column, if nothing else says the rate, and it increases as only a clock does: in
+    /// other languages, time has other names. A letter is rather an axis.
     void guess_clock() {
         constexpr std::int64_t enough_rows = 20;
         const auto first = std::ranges::find(removed_, false);
@@ -289,10 +289,11 @@ class TimeColumns {
         auto unit = unit_after(title(column));
         if (const Unit* dated = unit_since_1970(values.front()))
             unit = dated->seconds;
-        if (!unit || first_fault(values) || !are_equal_steps(values) ||
+        if (!unit || trim(title(column)).size() == 1 || first_fault(values) ||
+            !are_equal_steps(values) ||
             !coordinate_of(title(column), AxisPlace::last).point.empty())
             return;
-        if (!options_.fps && !is_plausible(rate_of(TimeSteps(values).mean * *unit)))
+        if (!is_plausible(rate_of(TimeSteps(values).mean * *unit)))
             return;
         note("column {} increases by equal steps: taken as time{}", in_quotes(title(column)),
              *unit == 1 ? ", in seconds" : "");

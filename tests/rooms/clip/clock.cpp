@@ -234,6 +234,8 @@ void other_names_of_time(void**) {
     const auto uneven = [](int i) { return format_text("{:.3f}", i / 30.0 + (i % 3) * 0.004); };
     assert_int_equal(csv(table("Zeit", 40, uneven)).values.cols(), 2);
     assert_int_equal(csv(table("Zeit", 19, seconds)).values.cols(), 2);
+    assert_int_equal(csv(table("y", 40, seconds)).values.cols(), 2);
+    assert_int_equal(csv(table("Zeit", 40, seconds), 30).values.cols(), 2);
     const auto far = [](int i) { return format_text("{}", 4 * i); };
     assert_int_equal(csv(table("Zeit", 40, far)).values.cols(), 2);
 }
