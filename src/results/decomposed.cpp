@@ -446,6 +446,7 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
     BodySides sides = body_sides(clip, samples, prepared.samples.view());
     options.side = sides.weights;
     options.one_side = std::move(sides.one);
+    options.other_side = std::move(sides.other);
     options.forward = sides.forward;
     options.begin_with_side = samples.features != clip::Features::points;
     Decomposed made;

@@ -138,6 +138,7 @@ BodySides body_sides(const clip::Clip& clip, const SampleFacts& facts, ConstMatr
     const std::vector<Sided> names = sides_of(clip::column_owners(clip, facts.features));
     const std::vector<double> means = column_means(samples);
     sides.one.resize(sides.weights.size());
+    sides.other.resize(sides.weights.size());
     const double* direction = nullptr; // the weights of one side
     int lefts = 0;                     // names that say that this side is left, less the others
     double places[2][3] = {}, counts[2] = {}; // sums of the named points on the left and the right
@@ -147,8 +148,11 @@ BodySides body_sides(const clip::Clip& clip, const SampleFacts& facts, ConstMatr
             continue;
         direction = direction == nullptr ? weight : direction;
         const bool of_one = dot(weight, direction, 3) > 0;
-        if (of_one)
-            std::copy_n(weight, 3, &sides.one[c]);
+        std::vector<double>& alone = of_one ? sides.one : sides.other;
+        if (facts.features == clip::Features::points) // their mean has the swing of both sides
+            alone[c + static_cast<std::size_t>(facts.up) - 1] = 1;
+        else
+            axpy(of_one ? 1 : -1, weight, &alone[c], 3);
         const Side named = names[c].side;
         if (named == Side::neither)
             continue;

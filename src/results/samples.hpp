@@ -40,11 +40,11 @@ ClipSamples prepare_clips(Clips clips, clip::PrepareOptions options, const Progr
 
 /// The two sides of the body, from the skeleton or from the names of points.
 struct BodySides {
-    std::vector<double> weights; ///< motion::Options::side
-    std::vector<double> one;     ///< motion::Options::one_side
-    std::optional<bool> forward; ///< motion::Options::forward; unset: the names do not tell them
-    Side name = Side::neither;   ///< the side that moves forward while the weighted sum of
-                                 ///< velocities is positive; it is side 1 of cycles and steps
+    std::vector<double> weights;    ///< motion::Options::side
+    std::vector<double> one, other; ///< motion::Options::one_side, other_side
+    std::optional<bool> forward;    ///< motion::Options::forward; unset: the names do not tell them
+    Side name = Side::neither;      ///< the side that moves forward while the weighted sum of
+                                    ///< velocities is positive; it is side 1 of cycles and steps
 };
 
 /// Assumes right-handed axes.

@@ -141,6 +141,33 @@ def noisy_circle():
 
 
 @functools.cache
+def limbs(names, style, legs=0.0, arms=0.0):
+    """Named points of both sides for 10 s: legs that walk, steps of 0.57 s (left) and 0.53 s, or stand;
+    arms that swing in turn."""
+    def chain(x, y, z, angles, lengths):
+        for angle, length in zip(angles, lengths, strict=True):
+            yield x, y, z
+            x, z = x + length * math.sin(angle), z - length * math.cos(angle)
+        yield x, y, z
+
+    rows = []
+    for i in range(600):
+        t, points = i / 60, []
+        for y, turn in ((0.1, t / 1.1), (-0.1, (t - 0.57) / 1.1)):
+            swing, bend = math.sin(2 * math.pi * turn), (1 - math.cos(2 * math.pi * turn + 0.6)) / 2
+            thigh = legs * swing
+            shank = thigh - 1.6 * legs * bend
+            at = dict(zip(("Hip", "Knee", "Ankle"), chain(0, y, 0.92, (thigh, shank), (0.45, 0.42)), strict=True))
+            for name, length, down in (("Heel", 0.085, -math.pi / 4), ("Toe", 0.175, 1.16)):
+                at[name] = [*chain(*at["Ankle"], (shank + down,), (length,))][1]
+            at.update(zip(("Shoulder", "Elbow", "Wrist"),
+                          chain(0, 2 * y, 1.45, (-arms * swing, 0.3 - arms * swing), (0.3, 0.27)), strict=True))
+            points += [at[name] for name in names]
+        rows.append([t, *(v for x, y, z in points for v in (x + 2.7 * legs * t, y, z))])
+    heads = [f"{style(side, name)}_{axis}" for side in ("left", "right") for name in names for axis in "xyz"]
+    return write_csv(f"{heads[0]}{len(names)}{legs}{arms}.csv", rows, f"time,{','.join(heads)}\n")
+
+
 def markers(heading=0.0):
     """Eight markers of a body that walks through the room, ten strides of 1 s; one drops out."""
     names = ",".join(f"m{p}_{axis}" for p in range(8) for axis in "xyz")

@@ -13,7 +13,7 @@ import unittest
 import jsonschema
 import numpy
 
-from common import CLIPS, SCHEMAS, CommandTest, circle, cut, drift, markers, run, walk, write_csv
+from common import CLIPS, SCHEMAS, CommandTest, circle, cut, drift, limbs, markers, run, walk, write_csv
 
 KINDS = {"info": "clip", "fit": "model", "dimension": "dimension", "decompose": "decomposition",
          "denoise": "denoising"}
@@ -315,6 +315,27 @@ class Content(CommandTest):
             self.assertEqual([step["side_name"] for step in self.json("decompose", path)["steps"]], usual)
         output = self.done("decompose", path).decode()
         self.assertRegex(output, r"a minute; (left: [\d.]+ s,\s+right|right: [\d.]+ s,\s+left): [\d.]+ s")
+
+    def test_legs_alone_have_steps_of_the_right_sides(self):
+        for style in (lambda s, n: s[0].upper() + n, lambda s, n: f"{s}_{n.lower()}",
+                      lambda s, n: f"{n.lower()}_{s[0]}", lambda s, n: f"{n}.{s[0].upper()}",
+                      lambda s, n: s.capitalize() + n):
+            for names in (("Hip", "Knee", "Ankle", "Heel", "Toe"), ("Ankle", "Heel", "Toe"), ("Heel", "Toe")):
+                found = self.json("decompose", limbs(names, style, legs=0.45))
+                self.assertGreater(len(found["steps"]), 13)
+                for step in found["steps"]:
+                    left = step["side_name"] == "left"
+                    self.assertLess(abs(step["end_s"] - step["begin_s"] - (0.57 if left else 0.53)), 0.005)
+                    forward = (step["begin_s"] - (0 if left else 0.57)) / 1.1  # where the leg is fastest
+                    self.assertLess(abs(forward - round(forward)), 0.1)
+
+    def test_arms_that_swing_in_turn_are_no_steps(self):
+        names = ("Hip", "Knee", "Ankle", "Heel", "Toe", "Shoulder", "Elbow", "Wrist")
+        for arms in (0.3, 0.6, 1.2):
+            found = self.json("decompose", limbs(names, lambda s, n: f"{s}_{n}", arms=arms))
+            self.assertGreater(len(found["cycles"]), 5)
+            self.assertEqual(found["steps"], [])
+            self.assertIn("do not swing in turn", found["segments"][0]["steps_reason"])
 
     def test_markers(self):
         found = self.json("decompose", markers())

@@ -3,91 +3,78 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <vector>
-
-#include "clip/features/slow_part.hpp"
 
 namespace stltsa::clip {
 namespace {
 
-/// Seconds in which the running reference forgets a shape.
-constexpr double memory_s = 0.4;
-/// Seconds over which the slow angle is smoothed.
-constexpr double slow_s = 1;
+/// A pair whose length hardly changes has the weight of one that changes by this share of the size.
+constexpr double steadiest = 1e-3;
+/// Each point is paired with so many others at most, in so many frames, so that the cost is linear.
+constexpr std::size_t most_partners = 64;
+constexpr std::int64_t most_frames = 200;
 /// Below this share of its median length a match gives no heading.
 constexpr double least_match = 0.3;
 /// Smallest share of the variance across the plane in which the points spread most.
 constexpr double least_depth = 1e-3;
 
 /// A vector in the horizontal plane; of length 1, a turn.
-struct Flat {
-    double a = 0, b = 0;
+using Flat = std::complex<double>;
+using Shape = std::vector<Flat>;
 
-    double length() const { return std::hypot(a, b); }
-    Flat turned(Flat turn) const { return {turn.a * a - turn.b * b, turn.b * a + turn.a * b}; }
-    Flat direction() const { return {a / length(), b / length()}; }
-};
+double norm(const Shape& shape) {
+    double sum = 0;
+    for (const Flat point : shape)
+        sum += std::norm(point);
+    return sum;
+}
+
+/// Procrustes: its direction is the turn that brings a shape closest to the reference.
+Flat match(const Shape& shape, const Shape& reference) {
+    Flat sum;
+    for (std::size_t p = 0; p < shape.size(); ++p)
+        sum += reference[p] * std::conj(shape[p]);
+    return sum;
+}
 
 class Shapes {
   public:
-    Shapes(Matrix& points, Axis up, PacedPoll& polls)
-        : points_(points), polls_(polls), first_(static_cast<std::int64_t>(up) % 3),
+    Shapes(Matrix& points, const std::vector<std::int64_t>& chosen, Axis up, PacedPoll& polls)
+        : points_(points), chosen_(chosen), polls_(polls),
+          first_(static_cast<std::int64_t>(up) % 3),
           second_((static_cast<std::int64_t>(up) + 1) % 3) {}
 
     std::int64_t frames() const { return points_.rows(); }
-    std::int64_t count() const { return points_.cols() / 3; }
-    Flat at(std::int64_t frame, std::int64_t point) const {
-        const double* p = points_.row(frame) + 3 * point;
-        return {p[first_], p[second_]};
+
+    Shape shape(std::int64_t frame) const {
+        polls_.did(std::ssize(chosen_));
+        Shape points;
+        points.reserve(chosen_.size());
+        for (const std::int64_t p : chosen_)
+            points.emplace_back(points_(frame, 3 * p + first_), points_(frame, 3 * p + second_));
+        return points;
     }
+
     void turn(std::int64_t frame, Flat turn) {
-        polls_.did(points_.cols());
-        for (std::int64_t p = 0; p < count(); ++p) {
-            const Flat to = at(frame, p).turned(turn);
-            points_(frame, 3 * p + first_) = to.a;
-            points_(frame, 3 * p + second_) = to.b;
+        const Shape from = shape(frame);
+        for (std::size_t k = 0; k < from.size(); ++k) {
+            const Flat to = from[k] * turn;
+            points_(frame, 3 * chosen_[k] + first_) = to.real();
+            points_(frame, 3 * chosen_[k] + second_) = to.imag();
         }
-    }
-    void turn(const std::vector<Flat>& turns) {
-        for (std::int64_t i = 0; i < frames(); ++i)
-            turn(i, turns[static_cast<std::size_t>(i)]);
-    }
-
-    std::vector<Flat> mean() const {
-        std::vector<Flat> sum(static_cast<std::size_t>(count()));
-        for (std::int64_t i = 0; i < frames(); ++i) {
-            polls_.did(points_.cols());
-            for (std::size_t p = 0; p < sum.size(); ++p) {
-                const Flat q = at(i, static_cast<std::int64_t>(p));
-                sum[p].a += q.a / static_cast<double>(frames());
-                sum[p].b += q.b / static_cast<double>(frames());
-            }
-        }
-        return sum;
-    }
-
-    /// Procrustes: its direction is the turn that brings the frame closest to the reference.
-    Flat match(std::int64_t frame, const std::vector<Flat>& reference) const {
-        Flat sum;
-        polls_.did(points_.cols());
-        for (std::size_t p = 0; p < reference.size(); ++p) {
-            const Flat q = at(frame, static_cast<std::int64_t>(p));
-            sum.a += q.a * reference[p].a + q.b * reference[p].b;
-            sum.b += q.a * reference[p].b - q.b * reference[p].a;
-        }
-        return sum;
     }
 
     /// Whether the horizontal spread is more than a line, measured by the spread in space.
     bool have_heading(Axis up) const {
         double aa = 0, ab = 0, bb = 0, height = 0;
         for (std::int64_t i = 0; i < frames(); ++i) {
-            polls_.did(points_.cols());
-            for (std::int64_t p = 0; p < count(); ++p) {
-                const Flat q = at(i, p);
-                const double h = points_(i, 3 * p + static_cast<std::int64_t>(up) - 1);
-                aa += q.a * q.a, ab += q.a * q.b, bb += q.b * q.b, height += h * h;
+            const Shape points = shape(i);
+            for (std::size_t k = 0; k < points.size(); ++k) {
+                const double a = points[k].real(), b = points[k].imag();
+                const double h = points_(i, 3 * chosen_[k] + static_cast<std::int64_t>(up) - 1);
+                aa += a * a, ab += a * b, bb += b * b, height += h * h;
             }
         }
         const double smaller = (aa + bb) / 2 - std::hypot((aa - bb) / 2, ab);
@@ -96,6 +83,7 @@ class Shapes {
 
   private:
     Matrix& points_;
+    const std::vector<std::int64_t>& chosen_;
     PacedPoll& polls_;
     std::int64_t first_, second_; ///< the horizontal axes, so that (first, second, up) is even
 };
@@ -103,102 +91,139 @@ class Shapes {
 double median_length(std::vector<Flat> matches) {
     const auto middle = matches.begin() + std::ssize(matches) / 2;
     std::nth_element(matches.begin(), middle, matches.end(),
-                     [](Flat x, Flat y) { return x.length() < y.length(); });
-    return middle->length();
+                     [](Flat x, Flat y) { return std::abs(x) < std::abs(y); });
+    return std::abs(*middle);
 }
 
 /// The turn of a match, or the one before it if the match is too short to have one.
 Flat turn_of(Flat match, double least, Flat before) {
-    return match.length() > least ? match.direction() : before;
+    return std::abs(match) > least ? match / std::abs(match) : before;
 }
 
-/// Matches of all frames to the mean of those before, turned; a match is weighted by its age.
-/// `turns`: the turns that were made.
-std::vector<Flat> follow(const Shapes& shapes, double fps, double least, std::vector<Flat>& turns) {
-    const double rate = -std::expm1(-1 / (memory_s * fps));
-    std::vector<Flat> matches;
-    std::vector<Flat> reference(static_cast<std::size_t>(shapes.count()));
-    for (std::size_t p = 0; p < reference.size(); ++p)
-        reference[p] = shapes.at(0, static_cast<std::int64_t>(p));
-    Flat turn{1, 0};
-    turns.clear();
-    for (std::int64_t i = 0; i < shapes.frames(); ++i) {
-        matches.push_back(shapes.match(i, reference));
-        turn = turn_of(matches.back(), least, turn);
-        turns.push_back(turn);
-        for (std::size_t p = 0; p < reference.size(); ++p) {
-            const Flat q = shapes.at(i, static_cast<std::int64_t>(p)).turned(turn);
-            reference[p].a += rate * (q.a - reference[p].a);
-            reference[p].b += rate * (q.b - reference[p].b);
+/// Two points, and how much the direction from one to the other says about the heading.
+struct Link {
+    std::size_t one = 0, other = 0;
+    double weight = 0;
+};
+
+/// Frames that tell about the whole recording, in equal steps.
+std::vector<Shape> some_frames(const Shapes& shapes) {
+    const std::int64_t step = 1 + (shapes.frames() - 1) / most_frames;
+    std::vector<Shape> some;
+    for (std::int64_t i = 0; i < shapes.frames(); i += step)
+        some.push_back(shapes.shape(i));
+    return some;
+}
+
+Link weighed(std::size_t one, std::size_t other, const std::vector<Shape>& frames, double least) {
+    double sum = 0, squares = 0;
+    for (const Shape& frame : frames) {
+        const double square = std::norm(frame[other] - frame[one]);
+        sum += std::sqrt(square);
+        squares += square;
+    }
+    const auto count = static_cast<double>(frames.size());
+    const double variance = squares / count - sum * sum / (count * count);
+    return {one, other, least / (least + variance)};
+}
+
+/// Pairs of points, each weighted by the inverse variance of its horizontal length, which does not
+/// depend on the heading. Legs that swing against each other change the lengths between them, so
+/// their swing does not turn the body. With equal weights (the usual Procrustes match) it would.
+std::vector<Link> links_of(const std::vector<Shape>& frames, PacedPoll& polls) {
+    const std::size_t count = frames.front().size();
+    const std::size_t step = 1 + (count - 2) / most_partners;
+    double size = 0;
+    for (const Shape& frame : frames)
+        size += norm(frame) / static_cast<double>(count * frames.size());
+    std::vector<Link> links;
+    for (std::size_t p = 0; p < count; ++p)
+        for (std::size_t q = p + 1; q < count; q += step) {
+            polls.did(std::ssize(frames));
+            links.push_back(weighed(p, q, frames, steadiest * steadiest * size));
         }
+    return links;
+}
+
+/// What to match points with, so that the sum over points is the weighted sum over pairs.
+Shape weighted(const std::vector<Link>& links, const Shape& shape) {
+    Shape sum(shape.size());
+    for (const Link& link : links) {
+        const Flat apart = link.weight * (shape[link.other] - shape[link.one]);
+        sum[link.other] += apart;
+        sum[link.one] -= apart;
     }
-    return matches;
+    return sum;
 }
 
-/// Quick turns go; the reference drifts, so that a slow turn is left.
-void remove_quick_turns(Shapes& shapes, double fps) {
-    std::vector<Flat> turns;
-    const std::vector<Flat> matches = follow(shapes, fps, 0, turns);
-    follow(shapes, fps, least_match * median_length(matches), turns);
-    shapes.turn(turns);
-}
-
-void remove_slow_turn(Shapes& shapes, double fps) {
-    const std::vector<Flat> reference = shapes.mean();
-    std::vector<Flat> matches;
-    for (std::int64_t i = 0; i < shapes.frames(); ++i)
-        matches.push_back(shapes.match(i, reference));
-    const double least = least_match * median_length(matches);
-    Matrix angles = Matrix::unset(shapes.frames(), 2);
-    Flat turn{1, 0};
-    for (std::int64_t i = 0; i < shapes.frames(); ++i) {
-        turn = turn_of(matches[static_cast<std::size_t>(i)], least, turn);
-        angles(i, 0) = turn.a;
-        angles(i, 1) = turn.b;
+/// The shape that the frames match best when each is turned to it: the first eigenvector of the
+/// sum of x x* W over the frames x, where W weights pairs (Kent 1994), by power iteration.
+Shape mean_shape(const std::vector<Shape>& frames, const std::vector<Link>& links,
+                 PacedPoll& polls) {
+    constexpr int most_rounds = 100;
+    constexpr double same = 1 - 1e-12;
+    Shape mean = *std::ranges::max_element(frames, {}, norm);
+    double like = 0;
+    for (int round = 0; round < most_rounds && like < same; ++round) {
+        const Shape reference = weighted(links, mean);
+        Shape next(mean.size());
+        for (const Shape& frame : frames) {
+            polls.did(std::ssize(frame));
+            const Flat turn = match(frame, reference);
+            for (std::size_t p = 0; p < next.size(); ++p)
+                next[p] += turn * frame[p];
+        }
+        const double length = std::sqrt(norm(next));
+        if (!(length > 0))
+            break;
+        like = std::abs(match(mean, next)) / (length * std::sqrt(norm(mean)));
+        for (std::size_t p = 0; p < next.size(); ++p)
+            mean[p] = next[p] / length;
     }
-    const Matrix slow = slow_part(angles, slow_s * fps);
-    for (std::int64_t i = 0; i < shapes.frames(); ++i)
-        shapes.turn(i, turn_of({slow(i, 0), slow(i, 1)}, 0, {1, 0}));
+    return mean;
 }
 
-/// Turns the whole recording so that its heading is given by its shape: the direction from the
-/// first points of the list to the last ones. Any fixed direction would do.
-void set_heading(Shapes& shapes) {
-    const std::vector<Flat> mean = shapes.mean();
+/// The shape in a heading of its own: from its first points to its last ones. Any other fixed
+/// direction would do.
+Shape with_own_heading(Shape shape) {
     Flat sum;
-    for (std::size_t p = 0; p < mean.size(); ++p) {
-        const double place = static_cast<double>(p) - static_cast<double>(mean.size() - 1) / 2;
-        sum.a += place * mean[p].a;
-        sum.b -= place * mean[p].b;
-    }
-    const Flat turn = turn_of(sum, 0, {1, 0});
-    for (std::int64_t i = 0; i < shapes.frames(); ++i)
-        shapes.turn(i, turn);
+    for (std::size_t p = 0; p < shape.size(); ++p)
+        sum += (static_cast<double>(p) - static_cast<double>(shape.size() - 1) / 2) * shape[p];
+    const Flat turn = turn_of(std::conj(sum), 0, {1, 0});
+    for (Flat& point : shape)
+        point *= turn;
+    return shape;
 }
 
 } // namespace
 
-bool remove_heading(Matrix& points, Axis up, double fps, PacedPoll& polls) {
-    Shapes shapes(points, up, polls);
+bool remove_heading(Matrix& points, const std::vector<std::int64_t>& chosen, Axis up,
+                    PacedPoll& polls) {
+    Shapes shapes(points, chosen, up, polls);
     if (!shapes.have_heading(up))
         return false;
-    remove_quick_turns(shapes, fps);
-    remove_slow_turn(shapes, fps);
-    remove_slow_turn(shapes, fps);
-    set_heading(shapes);
+    const std::vector<Shape> some = some_frames(shapes);
+    const std::vector<Link> links = links_of(some, polls);
+    const Shape reference = weighted(links, with_own_heading(mean_shape(some, links, polls)));
+    std::vector<Flat> matches;
+    for (std::int64_t i = 0; i < shapes.frames(); ++i)
+        matches.push_back(match(shapes.shape(i), reference));
+    const double least = least_match * median_length(matches);
+    Flat turn{1, 0};
+    for (std::int64_t i = 0; i < shapes.frames(); ++i) {
+        turn = turn_of(matches[static_cast<std::size_t>(i)], least, turn);
+        shapes.turn(i, turn);
+    }
     return true;
 }
 
-double turned_range(const Matrix& points, const Matrix& turned, Axis up, PacedPoll& polls) {
+double turned_range(const Matrix& points, const Matrix& turned,
+                    const std::vector<std::int64_t>& chosen, Axis up, PacedPoll& polls) {
     Matrix from = copied(points.view()), to = copied(turned.view());
-    const Shapes before(from, up, polls), after(to, up, polls);
+    const Shapes before(from, chosen, up, polls), after(to, chosen, up, polls);
     double angle = 0, least = 0, most = 0;
     for (std::int64_t i = 0; i < before.frames(); ++i) {
-        std::vector<Flat> reference;
-        for (std::int64_t p = 0; p < after.count(); ++p)
-            reference.push_back(after.at(i, p));
-        const Flat match = before.match(i, reference);
-        double next = std::atan2(match.b, match.a);
+        double next = std::arg(match(before.shape(i), after.shape(i)));
         next += 2 * std::numbers::pi * std::round((angle - next) / (2 * std::numbers::pi));
         angle = next;
         least = i == 0 ? next : std::min(least, next);

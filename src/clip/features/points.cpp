@@ -9,6 +9,7 @@
 #include "clip/features/gap_notes.hpp"
 #include "clip/features/point_heading.hpp"
 #include "clip/features/point_names.hpp"
+#include "clip/features/point_sides.hpp"
 #include "clip/features/slow_part.hpp"
 #include "clip/features/strays.hpp"
 #include "clip/text/text_cursor.hpp"
@@ -69,20 +70,43 @@ Vec3 extent(const Matrix& points, const Chosen& chosen) {
     return (1 / static_cast<double>(frames)) * sum;
 }
 
-/// Bodies travel along the ground and are taller than wide: of the axes along which the mean does
-/// not travel, that of the largest extent; if it travels along all, the one with the least travel.
-Axis guessed_up(const Matrix& points, const Chosen& chosen, const Matrix& path) {
+/// Distance of left from right along each axis, of all frames and of all pairs that were chosen:
+/// the mean.
+Vec3 distance_of_sides(const Matrix& points, const Chosen& chosen,
+                       const std::vector<SidePair>& pairs) {
+    Vec3 sum{};
+    std::int64_t count = 0;
+    const auto is_chosen = [&](std::size_t point) {
+        return std::ranges::binary_search(chosen, static_cast<std::int64_t>(point));
+    };
+    for (const auto& [one, other] : pairs) {
+        if (!is_chosen(one) || !is_chosen(other))
+            continue;
+        for (std::int64_t i = 0; i < points.rows(); ++i, ++count)
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                sum[axis] +=
+                    std::abs(points.row(i)[3 * one + axis] - points.row(i)[3 * other + axis]);
+    }
+    return (1 / std::max(static_cast<double>(count), 1.0)) * sum;
+}
+
+/// Bodies travel along the ground, are taller than wide, and have their sides beside each other: of
+/// the axes along which the mean does not travel, that of the largest extent, less twice the
+/// distance of the sides, as feet alone are longer and wider than high. If it travels along all,
+/// the one with the least travel.
+Axis guessed_up(const Matrix& points, const Chosen& chosen, const std::vector<SidePair>& pairs,
+                const Matrix& path) {
     const Vec3 way = travel(path);
-    const Vec3 size = extent(points, chosen);
+    const Vec3 size = extent(points, chosen), apart = distance_of_sides(points, chosen, pairs);
     const double body = *std::ranges::max_element(size);
-    Vec3 upright{};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        if (way[axis] <= most_travel * body)
-            upright[axis] = size[axis];
-    if (upright == Vec3{})
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            upright[axis] = 1 / way[axis];
-    return largest(upright);
+    std::optional<std::size_t> upright;
+    const auto tall = [&](std::size_t axis) { return size[axis] - 2 * apart[axis]; };
+    for (const std::size_t axis : {1U, 2U, 0U})
+        if (way[axis] <= most_travel * body && (!upright || tall(axis) > tall(*upright)))
+            upright = axis;
+    if (!upright)
+        return largest({1 / way[0], 1 / way[1], 1 / way[2]});
+    return static_cast<Axis>(*upright + 1);
 }
 
 void subtract(Matrix& points, const Chosen& chosen, const Matrix& path) {
@@ -134,10 +158,10 @@ std::string removed(bool in_plane, bool turned) {
 
 /// Turns points in a plane only if they are seen from above: a body that is seen from the side
 /// leans, but does not turn.
-bool remove_heading_in_plane(Matrix& points, double fps, PacedPoll& polls) {
+bool remove_heading_in_plane(Matrix& points, const Chosen& seen, PacedPoll& polls) {
     Matrix turned = copied(points.view());
-    if (!remove_heading(turned, Axis::z, fps, polls) ||
-        !(turned_range(points, turned, Axis::z, polls) > std::numbers::pi / 2))
+    if (!remove_heading(turned, seen, Axis::z, polls) ||
+        !(turned_range(points, turned, seen, Axis::z, polls) > std::numbers::pi / 2))
         return false;
     points = std::move(turned);
     return true;
@@ -155,21 +179,20 @@ void remove_way(const Clip& clip, const Chosen& seen, bool in_plane, std::option
     const std::int64_t values = made.rows.rows() * made.rows.cols();
     Matrix path = means(made.rows, seen);
     polls.did(values);
-    made.up = in_plane ? Axis::z : up ? *up : guessed_up(made.rows, seen, path);
+    made.up = in_plane ? Axis::z : up ? *up : guessed_up(made.rows, seen, side_pairs(clip), path);
     if (!up && !in_plane)
         made.notes.push_back(
             format_text("up axis guessed: {}; if it is another, set option up_axis",
                         "xyz"[static_cast<std::size_t>(made.up) - 1]));
-    if (!(clip.fps > 0))
+    if (!in_plane && !(clip.fps > 0))
         made.notes.push_back(format_text(
-            "frame rate unknown: {} a second taken, for the path and heading only", usual_rate));
-    const double fps = clip.fps > 0 ? clip.fps : usual_rate;
+            "frame rate unknown: {} a second taken, for the slow height only", usual_rate));
     if (!in_plane)
-        keep_slow_height(path, made.up, fps);
+        keep_slow_height(path, made.up, clip.fps > 0 ? clip.fps : usual_rate);
     subtract(made.rows, seen, path);
     polls.did(values);
-    made.turned = in_plane ? remove_heading_in_plane(made.rows, fps, polls)
-                           : remove_heading(made.rows, made.up, fps, polls);
+    made.turned = in_plane ? remove_heading_in_plane(made.rows, seen, polls)
+                           : remove_heading(made.rows, seen, made.up, polls);
     made.notes.push_back(
         format_text("columns taken as {} points in {}: removed {}; for the file's numbers set "
                     "option features to raw",
@@ -191,7 +214,7 @@ Axis points_up(const Clip& clip) {
     const Gaps gaps = fill_gaps(filled, 3, GapRule::fill, clip.fps);
     if (std::ssize(gaps.seen) < least_points)
         return Axis::none;
-    return guessed_up(filled, gaps.seen, means(filled, gaps.seen));
+    return guessed_up(filled, gaps.seen, side_pairs(clip), means(filled, gaps.seen));
 }
 
 FeatureRows points(const Clip& clip, std::optional<Axis> requested, GapRule rule,

@@ -68,7 +68,7 @@ Swing swing_of(const Signal& signal, int side) {
     Swing swing; // absolute: the usual speed may change within a cycle
     for (std::size_t i = 0; i < signal.side.size(); ++i) {
         swing.first.push_back(signal.one_side[i] * signal.usual[i]);
-        swing.second.push_back((signal.one_side[i] - signal.side[i]) * signal.usual[i]);
+        swing.second.push_back(signal.other_side[i] * signal.usual[i]);
     }
     if ((side == 1) != *signal.forward)
         swing.first.swap(swing.second);

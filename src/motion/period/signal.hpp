@@ -18,12 +18,12 @@ struct Signal {
     std::vector<double> usual; ///< typical speed within some seconds of each row; 0: nothing moves
     std::vector<double> near_usual; ///< the same within less time, but not far below `usual`
     std::vector<double> side;       ///< see side_motion(); empty: unknown
-    std::vector<double> one_side; ///< the same of one side alone; that of the other is less `side`
-    std::optional<bool> forward;  ///< see Options
-    bool begin_with_side = false; ///< see Options
-    double rate = 0;              ///< rows a second
-    std::int64_t step = 1;        ///< samples per row
-    Matrix directions;            ///< columns of the samples x columns of poses
+    std::vector<double> one_side, other_side; ///< the same of each side alone
+    std::optional<bool> forward;              ///< see Options
+    bool begin_with_side = false;             ///< see Options
+    double rate = 0;                          ///< rows a second
+    std::int64_t step = 1;                    ///< samples per row
+    Matrix directions;                        ///< columns of the samples x columns of poses
 
     std::int64_t rows() const { return poses.rows(); }
     std::int64_t cols() const { return poses.cols(); }

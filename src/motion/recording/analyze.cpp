@@ -118,6 +118,7 @@ Recording analyze(ConstMatrixView samples, double fps, const Options& options,
             std::sqrt(dot(options.side.data(), options.side.data(), samples.cols));
         signal.side = side_motion(signal, samples, options.side, length);
         signal.one_side = side_motion(signal, samples, options.one_side, length);
+        signal.other_side = side_motion(signal, samples, options.other_side, length);
         signal.forward = options.forward;
         signal.begin_with_side = options.begin_with_side;
     }

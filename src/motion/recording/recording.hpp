@@ -109,8 +109,10 @@ struct Options {
     /// One weight for each column of the samples: positive where the sum of weighted velocities is,
     /// one side of the body moves forward. Empty: the body is unknown.
     std::vector<double> side;
-    std::vector<double> one_side; ///< those of one of the sides; 0 elsewhere
-    /// Whether the weighted sum of the velocities of one_side is positive while it moves forward.
+    /// Weights of a motion that both sides do alike, each in its step: of the side with positive
+    /// weights in `side`, and of the other.
+    std::vector<double> one_side, other_side;
+    /// Whether the side of one_side moves forward while the sum of `side` is positive.
     std::optional<bool> forward;
     /// Whether cycles begin with the same side even if that costs one: the sides of a skeleton are
     /// known, those of points depend on names and layout.

@@ -73,6 +73,15 @@ void feet_have_sides(void**) {
     }
 }
 
+/// The lowest points are feet even if one foot is higher than the other.
+void a_limp_does_not_part_the_feet(void**) {
+    const std::vector<Point> feet = {{"RHEE", -60, -90, 40},
+                                     {"RTOE", 120, -90, 42},
+                                     {"LHEE", -60, 90, 30},
+                                     {"LTOE", 120, 90, 50}};
+    assert_false(weights(0, feet).empty());
+}
+
 void without_names_there_are_no_sides(void**) {
     std::vector<Point> bare = points;
     for (std::size_t p = 0; p < bare.size(); ++p)
@@ -90,6 +99,7 @@ void without_names_there_are_no_sides(void**) {
 int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(feet_have_sides),
+        cmocka_unit_test(a_limp_does_not_part_the_feet),
         cmocka_unit_test(without_names_there_are_no_sides),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);

@@ -201,7 +201,7 @@ void heading_is_held_while_the_shape_collapses(void**) {
         const double cross = wanted(i, 0) * found(i, 1) - wanted(i, 1) * found(i, 0);
         const double dot = wanted(i, 0) * found(i, 0) + wanted(i, 1) * found(i, 1);
         ASSERT_NEAR(std::atan2(cross, dot), collapsed(i) ? std::numbers::pi / 2 : 0,
-                    collapsed(i) ? 0.5 : 0.1); // the heading swings with each step
+                    collapsed(i) ? 0.5 : 0.12); // the collapse changes all lengths
     }
 }
 
@@ -257,8 +257,8 @@ void missing_points_do_not_move_the_others(void**) {
     const FeatureRows made = points(more, Axis::z, GapRule::fill);
     assert_true(made.notes.front().find("left out: 'm10'") != std::string::npos);
     for (std::int64_t i = 0; i < whole.frames(); ++i) {
-        ASSERT_NEAR(std::hypot(made.rows(i, 0), made.rows(i, 1)),
-                    std::hypot(wanted(i, 0), wanted(i, 1)), 1e-9);
+        for (std::int64_t c = 0; c < 30; ++c)
+            ASSERT_NEAR(made.rows(i, c), wanted(i, c), 1e-9);
         assert_true(made.rows(i, 30) == 0 && made.rows(i, 31) == 0 && made.rows(i, 32) == 0);
     }
 }

@@ -149,8 +149,10 @@ void cycles_begin_on_one_side(void**) {
     assert_false(halves_of(signal, cycles).reason.empty());
     signal.side = motion;
     signal.forward = true;
-    for (const double each : motion) // each side does half of it
+    for (const double each : motion) { // each side does half of it
         signal.one_side.push_back(each / 2);
+        signal.other_side.push_back(-each / 2);
+    }
     assert_true(halves_of(signal, cycles).reason.empty());
     ASSERT_NEAR(halves_of(signal, cycles).first, 0.5, 0);
     assert_true(std::isnan(halves_of(signal, std::span(cycles).first(2)).margin));
@@ -177,6 +179,7 @@ void unequal_steps_are_unequal(void**) {
     for (int i = 0; i < 200; ++i) {
         const double phase = (i - 20) / 40.0;
         signal.one_side.push_back(swing(phase));
+        signal.other_side.push_back(swing(phase - 0.55));
         signal.side.push_back(swing(phase) - swing(phase - 0.55));
     }
     signal.usual.assign(200, 1);

@@ -90,9 +90,10 @@ Repeated repeated(const Action& action, int count, double pause) {
 Recording of_body(stltsa::ConstMatrixView samples, std::vector<double> side = {}) {
     Options options;
     options.size = 2;
-    options.one_side = side;
-    for (double& weight : options.one_side)
-        weight = std::max(0.0, weight);
+    for (const double weight : side) {
+        options.one_side.push_back(std::max(0.0, weight));
+        options.other_side.push_back(std::max(0.0, -weight));
+    }
     options.forward = true;
     options.side = std::move(side);
     return analyze(samples, rate, options, Progress());
