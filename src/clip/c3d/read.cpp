@@ -56,7 +56,8 @@ std::vector<std::int64_t> stated_frames(const File& file, std::int64_t room, std
 std::int64_t count_frames(const File& file, const Layout& layout, Clip& clip) {
     const double rotations = file.number("rotation:data_start"); // they follow the points
     std::size_t end = file.size();
-    if (rotations > static_cast<double>(layout.begin / c3d::block) + 1 && rotations < short_range)
+    const std::size_t before = layout.begin / c3d::block;
+    if (rotations > static_cast<double>(before + 1) && rotations < short_range)
         end = std::min(end, c3d::block * (static_cast<std::size_t>(rotations) - 1));
     const auto bytes = static_cast<std::int64_t>(end - std::min(end, layout.begin));
     const auto size = static_cast<std::int64_t>(layout.frame_size), room = bytes / size;

@@ -42,8 +42,7 @@ class ChannelTable {
             return "time (s)";
         const std::string axis = cell(1).empty() ? "" : '_' + cell(1);
         const std::string unit = cell(4).empty() ? "" : " (" + cell(4) + ')';
-        const std::string name =
-            type == "pos" ? point + axis + unit : point + '_' + type + axis + unit;
+        std::string name = type == "pos" ? point + axis + unit : point + '_' + type + axis + unit;
         in_.check_name(name);
         return name;
     }
