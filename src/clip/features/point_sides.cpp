@@ -14,7 +14,7 @@ namespace stltsa::clip {
 namespace {
 
 /// Points in this lowest share of the height are of the legs; hands hang higher.
-constexpr double low = 1.0 / 3;
+constexpr double low_share = 1.0 / 3;
 
 /// The horizontal line along which the points of the pairs lie apart: the first principal direction
 /// of their differences, in which the first point of the first pair is positive.
@@ -99,7 +99,7 @@ std::vector<double> point_side_weights(const Clip& clip, Axis up, ConstMatrixVie
     const auto [least, most] = std::ranges::minmax(heights);
     std::vector<SidePair> legs;
     std::ranges::copy_if(pairs, std::back_inserter(legs), [&](const SidePair& pair) {
-        return heights[pair.one] <= least + low * (most - least);
+        return heights[pair.one] <= least + low_share * (most - least);
     });
     if (legs.empty())
         return {};
