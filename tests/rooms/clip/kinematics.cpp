@@ -160,11 +160,11 @@ void rotations_keep_their_sign(void**) {
 struct RandomBody {
     static constexpr int frames = 3;
 
-    Random random;
-    bool adds;
-    std::string hierarchy;
-    std::array<std::string, frames> rows;
-    std::array<std::vector<Vec3>, frames> places;
+    Random random = {};
+    bool adds = false;
+    std::string hierarchy = {};
+    std::array<std::string, frames> rows = {};
+    std::array<std::vector<Vec3>, frames> places = {};
     bool below_root_moves = false;
 
     /// Every joint but the root has children while there are fewer than `most`.
