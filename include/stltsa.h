@@ -173,10 +173,10 @@ enum {
     STLTSA_OPT_THREADS = 8,      /* int   auto: every core */
     STLTSA_OPT_FEATURES = 9,     /* int   STLTSA_FEATURES_*; auto: positions if there is a skeleton,
                                       points if the columns are named so, otherwise raw */
-    STLTSA_OPT_UP_AXIS = 10,     /* int   1, 2, 3: x, y, z; auto: found from the skeleton, guessed
-                                      from points (a note says so) */
+    STLTSA_OPT_UP_AXIS = 10,     /* int   1, 2, 3: x, y, z; auto: found from the skeleton; of points,
+                                      the file's, or else guessed (a note says so) */
     STLTSA_OPT_KEEP_START = 11,  /* int   1: do not drop a T-pose at the start */
-    STLTSA_OPT_FPS = 12,         /* real  frames a second, for files that have no rate; of others
+    STLTSA_OPT_FPS = 12,         /* real  frames a second, for files that have no rate; in others
                                       it replaces the rate and the times, and a note says so;
                                       auto: the file's. unmap_clip: points a second; auto: the
                                       model's rows */
@@ -226,7 +226,7 @@ enum {
                                       the prefix of its points, "Viktor" of "Viktor:LHEE", or its
                                       name as an individual or a track; auto: the only one. They
                                       are never merged: if there are several and none is chosen,
-                                      E_ARGUMENT, with a text that lists them */
+                                      E_ARGUMENT, and the text lists them */
 };
 
 /* What is done about missing values, of points or of the columns of a matrix. A point or column
@@ -507,9 +507,8 @@ enum {
     STLTSA_INFO_WARNING_END = 123,      /* real[] end of that time; the begin for a moment */
     /* Clips: what the file states. */
     STLTSA_INFO_UNIT = 130,             /* text   unit of lengths, such as mm; empty: unknown */
-    STLTSA_INFO_FILE_UP_AXIS = 131      /* int    axis that points up: 1, 2, 3 for x, y, z; 0:
-                                                  unknown, so that STLTSA_INFO_UP_AXIS is found
-                                                  from the motion */
+    STLTSA_INFO_FILE_UP_AXIS = 131      /* int    axis that points up: 1, 2, 3 for x, y, z (TRC: y,
+                                                  by convention); 0: the file does not say */
 };
 
 /* Kinds of warnings; new ones may be added. Those of a synthesis have the time of their seam. */
@@ -588,7 +587,7 @@ enum {
     STLTSA_FORMAT_SKELETON = 7, /* no file: stltsa_clip_from_skeleton */
     STLTSA_FORMAT_GLB = 8, /* glTF 2.0, binary: only written */
     STLTSA_FORMAT_C3D = 9,  /* points and events, of any processor: only read */
-    STLTSA_FORMAT_TRC = 10, /* markers, as OpenSim reads them: only read. y is up, by convention */
+    STLTSA_FORMAT_TRC = 10, /* markers; y is up, by convention: only read */
     STLTSA_FORMAT_MOT = 11  /* MOT and STO of OpenSim, joint coordinates and the like: only read */
 };
 
@@ -973,9 +972,9 @@ typedef struct stltsa_summary {
  * the steepest points, between peaks and valleys, of a coordinate that oscillates once per cycle
  * (section 3.1). Actions between rests that are one motion are repetitions. Segments of one motion
  * share a label. Segments without cycles have a reason; this is not an error.
- * If the file states foot strikes (stltsa_clip_event), cycles begin at those of one side, and steps end
- * at those of both. They are found in the cycles without one as stltsa_events_find does. Strikes that
- * contradict the cycles are not used. STLTSA_INFO_NOTE says which were used, and which were not.
+ * If the file states foot strikes (stltsa_clip_event), cycles begin at those of one side, and steps
+ * end at those of both. In cycles without one, strikes are found as by stltsa_events_find. Strikes
+ * that contradict the cycles are not used. STLTSA_INFO_NOTE says which were used, and which were not.
  * Options: features, up axis, keep_start, sample_rate, smoothing, period_*, segments, threads,
  * progress; those of embeddings (neighbors, window, dimension, mode, ...) are refused.
  * E_ARGUMENT: the clip's fps is unknown (set option fps when you open it). Other errors as
@@ -1010,8 +1009,8 @@ stltsa_decomposition_label_likeness(const stltsa_decomposition *decomposition, i
  * where the other side of the body does what the first did at the begin. `margin` is half the width
  * of the 95 % interval of the estimated share over the cycles; `share` is exactly 0.5 if the
  * estimate is within `margin`, or within 0.002, of 0.5. share is NaN without steps; margin is NaN
- * without steps or with fewer than three cycles. If the file states foot strikes of both sides, share
- * is the mean of the cycles, and exactly 0.5 only by chance. share and margin may be NULL. */
+ * without steps or with fewer than three cycles. If the file states foot strikes of both sides,
+ * share is the mean over the cycles, and exactly 0.5 only by chance. share and margin may be NULL. */
 STLTSA_API stltsa_status
 stltsa_decomposition_first_step(const stltsa_decomposition *decomposition, int64_t segment,
                                 double *share, double *margin) STLTSA_NOEXCEPT;

@@ -197,9 +197,9 @@ class Batch(CommandTest):
         place, name = self.out / "clips__walk.bvh.json", "clips/walk.bvh"
         self.out.mkdir()
         for make, said in (
-            (place.mkdir, "is no file"),
-            (lambda: os.mkfifo(place), "is no file"),
-            (lambda: place.symlink_to(self.clips), "is no file"),
+            (place.mkdir, "is not a file"),
+            (lambda: os.mkfifo(place), "is not a file"),
+            (lambda: place.symlink_to(self.clips), "is not a file"),
             (lambda: place.symlink_to(place), "cannot write"),
             (lambda: place.symlink_to("missing/folder"), "cannot write"),
         ):

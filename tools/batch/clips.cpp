@@ -113,7 +113,8 @@ void add_content(const std::string& path, Content& content) {
     if (fs::exists(path, none) && !fs::is_regular_file(path, none))
         throw Failure(
             Exit::failed,
-            fmt::format("{}: no file; batch reads only files, which it looks at twice", path));
+            fmt::format("{}: not a file; batch reads only files, because it reads them twice",
+                        path));
     std::ifstream file(path, std::ios::binary);
     std::vector<char> block(std::size_t{1} << 16);
     uLong sum = content.crc32;

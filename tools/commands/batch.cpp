@@ -104,7 +104,7 @@ class Work {
                             "nearer to the clip",
                             clip.path, clip.result.size(), longest_));
         if (!stltsa::clip::regular_or_new(stltsa::clip::followed(place)))
-            throw Failure(Exit::failed, fmt::format("its result, {}, is no file: remove it, or "
+            throw Failure(Exit::failed, fmt::format("its result, {}, is not a file: remove it, or "
                                                     "give another --out",
                                                     place));
     }

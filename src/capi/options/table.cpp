@@ -70,12 +70,13 @@ constexpr stltsa_option_info rows[] = {
           "raw.",
           1, 5, automatic, "positions=1 rotations6d=2 euler=3 raw=4 points=5"),
     whole(STLTSA_OPT_UP_AXIS, analyzes | STLTSA_CALL_FEATURES | STLTSA_CALL_SYNTHESIZE, "up_axis",
-          "The axis that points up; auto: found from the skeleton, guessed from points.", 1, 3,
-          automatic, "x=1 y=2 z=3"),
+          "The axis that points up; auto: found from the skeleton; of points, the file's, or else "
+          "guessed.",
+          1, 3, automatic, "x=1 y=2 z=3"),
     whole(STLTSA_OPT_KEEP_START, analyzes, "keep_start",
           "Keep a T-pose at the start instead of dropping it.", 0, 1, 0),
     real(STLTSA_OPT_FPS, embeds | STLTSA_CALL_OPEN | STLTSA_CALL_UNMAP | STLTSA_CALL_DENOISE, "fps",
-         "Frames per second, for files that have no rate; of others it replaces the rate and the "
+         "Frames per second, for files that have no rate; in others it replaces the rate and the "
          "times, and a note says so (batch: it does not); unmap: points per second; auto: the "
          "file's rate, or the model's.",
          least_rate, 1e6, automatic),

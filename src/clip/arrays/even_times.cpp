@@ -154,7 +154,7 @@ EvenRows placed_rows(Matrix rows, std::span<const std::int64_t> places, double f
                      std::string_view by, const std::string& where) {
     const std::int64_t count = places.back() + 1, missing = count - rows.rows();
     if (static_cast<double>(missing) > most_missing * static_cast<double>(rows.rows()))
-        fail_missing(where, format_text("{} rows are {} frames", rows.rows(), count),
+        fail_missing(where, format_text("{} rows span {} frames", rows.rows(), count),
                      fps > 0 ? ignore_times : ignore_counts);
     if (missing == 0)
         return {std::move(rows), fps, {}};

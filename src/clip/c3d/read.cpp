@@ -172,8 +172,8 @@ std::vector<std::size_t> positions_in(const File& file, const std::vector<std::s
         else
             kept.push_back(p);
     if (!left_out.empty())
-        clip.notes.push_back(format_text("left out, as results of a model are no positions: {} of "
-                                         "{} points{}",
+        clip.notes.push_back(format_text("left out, as results of a model are not positions: {} "
+                                         "of {} points{}",
                                          left_out.size(), names.size(), list_of(left_out)));
     return kept;
 }

@@ -261,8 +261,8 @@ void keep_columns(Clip& clip, const std::vector<std::int64_t>& columns, const Pr
 void take_points(Clip& clip, const std::string& file, const ReadOptions& options) {
     Columns found = find_points(clip.channel_names);
     if (found.points.empty() && !found.quantities.empty())
-        clip.notes.push_back("columns that are named as coordinates are of other quantities than "
-                             "positions, by their names or units: " +
+        clip.notes.push_back("columns named as coordinates are of other quantities than positions, "
+                             "by their names or units: " +
                              in_quotes(found.quantities[0]));
     if (found.points.empty())
         return;

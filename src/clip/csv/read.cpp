@@ -95,7 +95,7 @@ class CsvReader {
             row(split(without_indent(line)));
         if (short_rows_ > 0)
             clip_.notes.push_back(
-                format_text("{} rows end early: what they lack is missing", short_rows_));
+                format_text("{} rows end early: their other values are missing", short_rows_));
         set_values();
     }
 
@@ -125,7 +125,7 @@ class CsvReader {
     /// Motion-BIDS: another file describes the columns.
     void described_rows() {
         clip_.channel_names = channel_names(options_.channels, options_.progress);
-        clip_.notes.push_back("columns as in " + options_.channels);
+        clip_.notes.push_back("the columns are those of " + options_.channels);
         if (!options_.sidecar.empty())
             clip_.fps = sampling_frequency(options_.sidecar, options_.progress);
         if (clip_.fps > 0)

@@ -338,8 +338,7 @@ class TimeColumns {
                       {times_, holes ? counts_ : std::vector<std::int64_t>(), said_}, name_);
         clip_.fps = even.fps;
         if (holes && even.rows.rows() != counts_.back() + 1)
-            note("the count of frames has {} that are missing, the times do not: the times are "
-                 "used",
+            note("the count of frames skips {}, but the times do not: the times are used",
                  counts_.back() + 1 - std::ssize(counts_));
         if (said_ > 0 && std::abs(clip_.fps - said_) > same_rate * said_)
             note("the lines before the table say {:g} frames a second, but the times {:.6g}: the "
@@ -350,7 +349,7 @@ class TimeColumns {
 
     void use_counts() {
         if (count_step_ > 1)
-            note("frames are counted by {}{}", count_step_,
+            note("the count of frames rises by {} a row{}", count_step_,
                  said_ > 0 ? format_text(": {:g} frames a second",
                                          said_ / static_cast<double>(count_step_))
                            : "");

@@ -186,7 +186,7 @@ void remove_way(const Clip& clip, const Chosen& seen, bool in_plane, std::option
                         "xyz"[static_cast<std::size_t>(made.up) - 1]));
     if (!in_plane && !(clip.fps > 0))
         made.notes.push_back(format_text(
-            "frame rate unknown: {} a second taken, for the slow height only", usual_rate));
+            "frame rate unknown: {} a second assumed, only to remove the slow height", usual_rate));
     if (!in_plane)
         keep_slow_height(path, made.up, clip.fps > 0 ? clip.fps : usual_rate);
     subtract(made.rows, seen, path);

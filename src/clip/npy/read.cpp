@@ -123,7 +123,7 @@ Clip parse_npy(std::string_view bytes, const std::string& name, const ReadOption
     if (const std::int64_t jump = find_jump(clip.values.view()); jump > 0)
         clip.notes.push_back(format_text(
             "the numbers jump at frame {}: if frames were lost there, insert them as NaN, or save "
-            "points with their times, which an NPY file does not have",
+            "points with their times in another format",
             jump));
     return clip;
 }

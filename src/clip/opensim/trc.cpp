@@ -174,7 +174,7 @@ void take_up(Clip& clip) {
     clip.up = Axis::y;
     std::string text = "up axis: y, as OpenSim has it in TRC files";
     if (guess != Axis::none && guess != clip.up)
-        text += format_text(", although {} looks like it: if {} is up, set option up_axis",
+        text += format_text(", although {} seems to be up: if {} is up, set option up_axis",
                             "xyz"[static_cast<std::size_t>(guess) - 1],
                             "xyz"[static_cast<std::size_t>(guess) - 1]);
     clip.notes.push_back(text);

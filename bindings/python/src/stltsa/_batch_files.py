@@ -33,13 +33,13 @@ def check_place(path: str, place: Path) -> None:
         )
         raise OSError(errno.ENAMETOOLONG, text, path)
     if place.exists() and not place.is_file():
-        raise _unusable(f"its result, {place}, is no file: remove it, or give another --out")
+        raise _unusable(f"its result, {place}, is not a file: remove it, or give another --out")
 
 
 def _content(file: Path) -> bytes:
     """Return what is in a file. Reading a pipe would wait for its writer."""
     if file.exists() and not file.is_file():
-        raise _unusable(f"{file}: no file; batch reads only files, which it looks at twice")
+        raise _unusable(f"{file}: not a file; batch reads only files, because it reads them twice")
     return file.read_bytes()
 
 

@@ -257,7 +257,7 @@ class Clip(Described):
 
     @cached_property
     def events(self) -> tuple[Event, ...]:
-        """What the file says that happens, in order of time; empty if the rate is unknown."""
+        """The events that the file states, in order of time; empty if the rate is unknown."""
         count = lib.stltsa_clip_event_count(self._handle) if self.fps else 0
         raw = ffi.new("stltsa_file_event *", {"size": ffi.sizeof("stltsa_file_event")})
         found = []

@@ -31,12 +31,12 @@ kinds! {
         /// `int`: STLTSA_FEATURES_*; auto: positions if there is a skeleton, points if the columns
         /// are named so, otherwise raw.
         Features = STLTSA_OPT_FEATURES,
-        /// `int`: 1, 2, 3: x, y, z; auto: found from the skeleton, guessed from points (a note says
-        /// so).
+        /// `int`: 1, 2, 3: x, y, z; auto: found from the skeleton; of points, the file's, or else
+        /// guessed (a note says so).
         UpAxis = STLTSA_OPT_UP_AXIS,
         /// `int`: 1: do not drop a T-pose at the start.
         KeepStart = STLTSA_OPT_KEEP_START,
-        /// `real`: frames a second, for files that have no rate; of others it replaces the rate and
+        /// `real`: frames a second, for files that have no rate; in others it replaces the rate and
         /// the times, and a note says so; auto: the file's. unmap_clip: points a second; auto: the
         /// model's rows.
         Fps = STLTSA_OPT_FPS,
@@ -102,7 +102,7 @@ kinds! {
         /// `text`: which of several people or animals in a file is opened: the prefix of its
         /// points, "Viktor" of "Viktor:LHEE", or its name as an individual or a track; auto: the
         /// only one. They are never merged: if there are several and none is chosen, E_ARGUMENT,
-        /// with a text that lists them.
+        /// and the text lists them.
         Subject = STLTSA_OPT_SUBJECT,
     }
     /// Which frames can be neighbors of a frame.
@@ -166,7 +166,7 @@ kinds! {
         Glb = STLTSA_FORMAT_GLB,
         /// Points and events, of any processor: only read.
         C3d = STLTSA_FORMAT_C3D,
-        /// Markers, as OpenSim reads them: only read. y is up, by convention.
+        /// Markers; y is up, by convention: only read.
         Trc = STLTSA_FORMAT_TRC,
         /// MOT and STO of OpenSim, joint coordinates and the like: only read.
         Mot = STLTSA_FORMAT_MOT,
@@ -407,8 +407,8 @@ kinds! {
         WarningEnd = STLTSA_INFO_WARNING_END,
         /// `text`: unit of lengths, such as mm; empty: unknown.
         Unit = STLTSA_INFO_UNIT,
-        /// `int`: axis that points up: 1, 2, 3 for x, y, z; 0: unknown, so that STLTSA_INFO_UP_AXIS
-        /// is found from the motion.
+        /// `int`: axis that points up: 1, 2, 3 for x, y, z (TRC: y, by convention); 0: the file
+        /// does not say.
         FileUpAxis = STLTSA_INFO_FILE_UP_AXIS,
     }
     /// Kinds of failure. Each function lists those that it can return.

@@ -63,7 +63,8 @@ impl Options {
         self.with(sys::STLTSA_OPT_FEATURES, Value::Int(value.raw().into()))
     }
 
-    /// The axis that points up; auto: found from the skeleton, guessed from points.
+    /// The axis that points up; auto: found from the skeleton; of points, the file's, or else
+    /// guessed.
     #[must_use]
     pub fn up_axis(self, value: Axis) -> Self {
         self.with(sys::STLTSA_OPT_UP_AXIS, Value::Int(value.raw().into()))
@@ -75,7 +76,7 @@ impl Options {
         self.with(sys::STLTSA_OPT_KEEP_START, Value::Int(value.into()))
     }
 
-    /// Frames per second, for files that have no rate; of others it replaces the rate and the
+    /// Frames per second, for files that have no rate; in others it replaces the rate and the
     /// times, and a note says so (batch: it does not); unmap: points per second; auto: the file's
     /// rate, or the model's.
     #[must_use]
