@@ -97,10 +97,10 @@ std::vector<double> point_side_weights(const Clip& clip, Axis up, ConstMatrixVie
     for (const auto& [one, other] : pairs) // a limp does not part a pair
         heights[one] = heights[other] = (heights[one] + heights[other]) / 2;
     const auto [least, most] = std::ranges::minmax(heights);
+    const double highest = least + low_share * (most - least);
     std::vector<SidePair> legs;
-    std::ranges::copy_if(pairs, std::back_inserter(legs), [&](const SidePair& pair) {
-        return heights[pair.one] <= least + low_share * (most - least);
-    });
+    std::ranges::copy_if(pairs, std::back_inserter(legs),
+                         [&](const SidePair& pair) { return heights[pair.one] <= highest; });
     if (legs.empty())
         return {};
     const Line line =
