@@ -346,30 +346,46 @@ class HeadReader {
         return levels;
     }
 
+    /// Whether the column may be an index, which has the titles of the lines above.
+    bool has_titles(const std::vector<Line>& levels, std::size_t c) const {
+        const Line& top = levels.front();
+        return c < 2 && levels.size() > 1 && columns_ > 2 && top[c] != top[c == 0 ? 1 : 2] &&
+               !(c == 1 && (top[c] == top[0] || is_axis(top[c])));
+    }
+
+    /// The name of an index.
+    static std::string title_of(const std::vector<Line>& levels, std::size_t c) {
+        if (!levels.back()[c].empty())
+            return levels.back()[c];
+        std::string name; // "Time" may be above an empty cell
+        for (const Line& level : levels)
+            if (name.empty() && (time_name(level[c]) || is_counter_name(level[c])))
+                name = level[c];
+        return name;
+    }
+
+    /// The names of all lines, one after another.
+    static std::string joined_name(const std::vector<Line>& levels, std::size_t c) {
+        std::string name;
+        char between = '_';
+        for (const Line& level : levels) {
+            if (level[c].empty())
+                continue;
+            if (!name.empty())
+                name += between;
+            name += !name.empty() && is_axis(level[c]) ? level[c].substr(0, 1) : level[c];
+            between = names_subjects(level) ? ':' : '_';
+        }
+        return name;
+    }
+
     void set_names(std::vector<Line>& levels, Head& head) const {
         for (std::size_t l = 0; l + 1 < levels.size(); ++l)
             spread_names(levels[l]);
         const Line& last = levels.back();
-        for (std::size_t c = 0; c < columns_; ++c) {
-            std::string name;
-            char between = '_';
-            // The first columns may be an index, with the titles of the lines above.
-            const bool labelled =
-                c < 2 && levels.size() > 1 && columns_ > 2 &&
-                levels.front()[c] != levels.front()[c == 0 ? 1 : 2] &&
-                !(c == 1 && (levels.front()[c] == levels.front()[0] || is_axis(levels.front()[c])));
-            for (const Line& level : levels)
-                if (!level[c].empty() && (!labelled || &level == &levels.back())) {
-                    if (!name.empty())
-                        name += between;
-                    name += !name.empty() && is_axis(level[c]) ? level[c].substr(0, 1) : level[c];
-                    between = names_subjects(level) ? ':' : '_';
-                }
-            for (const Line& level : levels) // "Time" above an empty cell
-                if (labelled && name.empty() && (time_name(level[c]) || is_counter_name(level[c])))
-                    name = level[c];
-            head.names.push_back(name);
-        }
+        for (std::size_t c = 0; c < columns_; ++c)
+            head.names.push_back(has_titles(levels, c) ? title_of(levels, c)
+                                                       : joined_name(levels, c));
         set_units(head);
         if (equals_ignoring_case(last[0], "coords")) // DeepLabCut: above the frame numbers
             head.names[0].clear();
