@@ -114,17 +114,32 @@ TimeLine line_through(std::span<const double> times, std::span<const std::int64_
     return line;
 }
 
+/// The line through the rows with which rounded times change. The rows before the first and after
+/// the last change are fewer than the others of their times, so that all rows would tilt it.
+double step_of_rounded(std::span<const double> times, std::span<const std::int64_t> places) {
+    std::vector<double> changes;
+    Places rows;
+    for (std::size_t i = times[1] > times[0] ? 0 : 1; i < times.size(); ++i)
+        if (i == 0 || times[i] > times[i - 1]) {
+            changes.push_back(times[i]);
+            rows.push_back(places[i]);
+        }
+    return changes.size() > 1 ? line_through(changes, rows).step
+                              : duration(times) / static_cast<double>(places.back());
+}
+
 /// Times with few digits leave several rates open, and the first and the last of them are less
 /// exact than all.
 double rate_of_places(std::span<const std::int64_t> places, const Clock& clock) {
     constexpr double exact = 5e-4; // as rate_of()
     const double seconds = duration(clock.times), digit = digit_of(clock.times);
-    const double step = digit > 0 ? line_through(clock.times, places).step
+    const double step = digit > 0 ? step_of_rounded(clock.times, places)
                                   : seconds / static_cast<double>(places.back());
     const double rate = 1 / step;
     if (!std::isfinite(rate))
         return 0;
-    const double error = std::clamp(digit / seconds, exact, same_rate);
+    // It is known to a row when a time changes.
+    const double error = std::clamp(std::min(digit, step) / seconds, exact, same_rate);
     const auto open = [&](double other) { return std::abs(other - rate) <= error * rate; };
     if (clock.fps > 0 && open(clock.fps))
         return clock.fps;
@@ -240,15 +255,15 @@ TimeSteps::TimeSteps(std::span<const double> times) {
 }
 
 bool are_rounded(std::span<const double> times) {
-    // Fewer steps that are longer or shorter than most are more likely lost rows.
+    // Fewer steps that are longer or shorter than most are more likely lost or repeated rows.
     constexpr double least_share = 0.1, least_count = 3;
     constexpr double rounding = 1.25; // units between two errors: 1, and the error of the line
     const auto steps = static_cast<double>(times.size() - 1);
     const double digit = digit_of(times), units = duration(times) / steps / digit;
     if (!(digit > 0) || !(units > 0 && units < 2) || duration(times) < (least_count - 0.5) * digit)
         return false;
-    if (units >= 1 &&
-        (units < 1 + least_share || steps * std::min(units - 1, 2 - units) < least_count))
+    const double odd = std::abs(units - 1);
+    if ((units >= 1 && odd < least_share) || steps * std::min(odd, 2 - units) < least_count)
         return false;
     return line_through(times, consecutive(times.size())).spread <= rounding * digit;
 }

@@ -36,22 +36,20 @@ std::int64_t read_frame_count(TextCursor& in) {
     return *frames;
 }
 
-/// A rate that the user gives needs no plausible Frame Time.
+/// A rate that the user gives needs no plausible Frame Time; parse() notes which one it replaces.
 void read_rate(TextCursor& in, Clip& clip, bool given) {
     const std::string_view text = header_value(in, "Frame", "Time");
     const auto seconds = parse_number(text);
     if (!seconds || *seconds < 0 || !std::isfinite(*seconds))
         in.fail(Status::format, "'Frame Time:' must be followed by a number of seconds, not {}",
                 in_quotes(text));
-    if (given)
-        return;
-    if (*seconds > 0 && (*seconds < shortest_frame_s || *seconds > longest_frame_s))
+    if (!given && *seconds > 0 && (*seconds < shortest_frame_s || *seconds > longest_frame_s))
         in.fail(Status::format,
                 "invalid Frame Time {:g} s; expected {:g} s to {:g} s: if {:g} is a rate, or "
                 "milliseconds, set option fps to the number of frames a second",
                 *seconds, shortest_frame_s, longest_frame_s, *seconds);
     clip.fps = rate_of(*seconds);
-    if (clip.fps == 0)
+    if (clip.fps == 0 && !given)
         clip.notes.push_back("Frame Time is 0: the file has no frame rate");
     else
         clip.frame_time = *seconds;

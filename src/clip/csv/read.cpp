@@ -131,6 +131,8 @@ class CsvReader {
         if (clip_.fps > 0)
             clip_.notes.push_back(
                 format_text("{:g} frames a second from {}", clip_.fps, options_.sidecar));
+        else if (!options_.sidecar.empty())
+            clip_.notes.push_back("no valid SamplingFrequency in " + options_.sidecar);
         columns_ = clip_.channel_names.size();
         said_by_ = options_.channels;
         std::string_view line = next_row(in_);

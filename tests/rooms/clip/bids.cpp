@@ -2,6 +2,8 @@
 // Motion-BIDS: a motion file with the files that describe it.
 #include "clip/testing.hpp"
 
+#include <algorithm>
+
 #include "clip/csv/bids.hpp"
 
 namespace {
@@ -72,6 +74,10 @@ void motion_files(void**) {
     const Clip clip = read(path, {});
     assert_true(clip.space == 0 && clip.fps == 2); // of LATENCY; one point is too few beside others
     assert_int_equal(clip.values.cols(), 5);
+    const std::string damaged = folder.write("a_motion.json", "{\"SamplingFrequency\" 30}");
+    const auto notes = read(path, {}).notes;
+    assert_true(std::ranges::find(notes, "no valid SamplingFrequency in " + damaged) !=
+                notes.end());
     folder.write("a_channels.tsv", channels + "a6\tMISC\tn/a\tn/a\tn/a\tgood\n");
     ASSERT_FAILS(Status::format, "a_motion.tsv:1: 6 cells, but ", read(path, {}));
 }

@@ -272,7 +272,12 @@ void a_frame_time_of_zero_means_unknown(void**) {
     ReadOptions options;
     options.fps = 60;
     assert_true(parse(text, Format::bvh, options).fps == 60);
-    assert_true(parse(small_bvh, Format::bvh, options).fps == 60);
+    assert_true(parse(text, Format::bvh, options).notes.empty());
+    const Clip replaces = parse(small_bvh, Format::bvh, options);
+    assert_true(replaces.fps == 60 && replaces.frame_time == 0);
+    assert_int_equal(replaces.notes.size(), 1);
+    assert_string_equal(replaces.notes[0].c_str(),
+                        "option fps: 60 frames a second instead of the file's 120");
 }
 
 void tells_formats_by_content_and_suffix(void**) {

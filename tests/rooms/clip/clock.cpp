@@ -94,6 +94,8 @@ void rates_of_rounded_times(void**) {
                           {240, 2, 480},
                           {30, 2, 100},
                           {30, 0, 300},
+                          {100, 0, 600},
+                          {60, 0, 250},
                           {75, 2, 200}})
         for (const double start : {0.0, 3.0}) {
             const auto clock = [&](int i) { return rounded(start + i / c.fps, c.digits); };
@@ -258,6 +260,10 @@ void faulty_clocks(void**) {
     ASSERT_FAILS(Status::format, "test:3: column 'time' is time, but has no value",
                  csv("time,x\n0,7\n,8\n.02,9\n"));
     ASSERT_FAILS(Status::format, "set option fps", csv("time,x\n0,7\n0,8\n"));
+    // A row that is there twice is no rounding.
+    ASSERT_FAILS(
+        Status::format, "test:102: column 'time' is time, but does not increase from 0.99 to 0.99",
+        csv(table("time", 200, [](int i) { return rounded((i < 100 ? i : i - 1) / 100.0, 2); })));
     const Clip given = csv(back, 100);
     check_all_rows(csv("time,x\n0,0\n.01,1\n.005,2\n", 50), 3, 50);
     assert_true(given.fps == 100 && given.frames() == 6 && says(given, "at line 6: not used"));
