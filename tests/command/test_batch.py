@@ -152,6 +152,24 @@ class Batch(CommandTest):
         os.utime(self.clips / "walk.bvh", (0, 0))
         self.assertIn("0 decomposed, 3 kept", self.batch("--period-max", "5"))
 
+    def test_a_recording_of_bids(self):
+        """What describes it is no clip, and if it changes, the result is made anew."""
+        folder = self.clips / "sub-1" / "motion"
+        folder.mkdir(parents=True)
+        stem = "sub-1_task-a_tracksys-b"
+        axes = [(point, axis) for point in ("hip", "knee", "heel", "toe") for axis in "xyz"]
+        (folder / f"{stem}_channels.tsv").write_text("name\ttype\tcomponent\ttracked_point\n" + "".join(
+            f"{point}{axis}\tPOS\t{axis}\t{point}\n" for point, axis in axes))  # fmt: skip
+        (folder / f"{stem}_motion.tsv").write_text("".join(
+            "\t".join(f"{c + math.sin(i / 10 + c):.4f}" for c in range(len(axes))) + "\n"
+            for i in range(300)))  # fmt: skip
+        (self.clips / "participants.tsv").write_text("participant_id\tage\nsub-1\t30\n")
+        rate = self.clips / "task-a_motion.json"  # above the folder of the subject
+        for fps, counts in (("60", "4 decomposed, 0"), ("60", "0 decomposed, 4"), ("50", "1 decomposed, 3")):
+            rate.write_text('{"SamplingFrequency": ' + fps + "}")
+            self.assertIn(f"4 clips: {counts} kept from before, 0 failed", self.batch())
+            self.assertEqual(self.summary()[2]["fps"], fps)
+
     def test_bad_files_are_rows(self):
         (self.clips / "bad.bvh").write_text("hello\n")
         line = ("batch", "clips", "missing.csv", "--out", self.out, "--json")

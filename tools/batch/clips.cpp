@@ -28,6 +28,9 @@ constexpr const char* readable[] = {".bvh", ".amc", ".csv", ".tsv", ".npy",
                                     ".c3d", ".trc", ".mot", ".sto"};
 /// Formats that only the Python package reads.
 constexpr const char* foreign[] = {".npz", ".nc"};
+/// Tables of BIDS datasets that describe recordings.
+constexpr const char* descriptions[] = {"_channels.tsv", "_events.tsv", "_scans.tsv",
+                                        "_sessions.tsv", "_participants.tsv"};
 
 bool ends_in_one(const std::string& path, std::span<const char* const> suffixes) {
     return std::ranges::any_of(suffixes, [&](const char* suffix) { return ends_in(path, suffix); });
@@ -96,6 +99,8 @@ class Search {
     }
 
     void file(const std::string& path) {
+        if (ends_in_one('_' + fs::path(path).filename().string(), descriptions))
+            return;
         if (ends_in_one(path, readable))
             found_.clips.push_back({path, result_name(path)});
         else if (ends_in_one(path, foreign))
@@ -129,18 +134,35 @@ void add_content(const std::string& path, Content& content) {
     content.crc32 = static_cast<std::uint32_t>(sum);
 }
 
-/// Those of the folder that the library would look at: which of them the clip takes is found when
-/// it is opened.
-std::vector<std::string> skeletons_beside(const fs::path& clip) {
+/// The files of a folder that end so, by name.
+std::vector<std::string> files_in(const fs::path& folder, std::span<const char* const> endings) {
     std::vector<std::string> found;
-    const fs::path folder = clip.has_parent_path() ? clip.parent_path() : ".";
     std::error_code none;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder.empty() ? "." : folder)) {
         const std::string name = entry.path().filename().string();
-        if (!name.starts_with('.') && ends_in(name, ".asf") && entry.is_regular_file(none))
+        if (!name.starts_with('.') && ends_in_one(name, endings) && entry.is_regular_file(none))
             found.push_back(entry.path().string());
     }
     std::ranges::sort(found);
+    return found;
+}
+
+/// Those that the library would look at: which of them the clip takes is found when it is opened.
+std::vector<std::string> files_beside(const fs::path& clip) {
+    constexpr const char* skeletons[] = {".asf"};
+    constexpr const char* of_motion[] = {"channels.tsv", "motion.json"};
+    fs::path folder = clip.parent_path();
+    if (ends_in(clip.string(), ".amc"))
+        return files_in(folder, skeletons);
+    std::vector<std::string> found;
+    for (bool inside = ends_in(clip.string(), "_motion.tsv"); inside;) {
+        const std::vector<std::string> here = files_in(folder, of_motion);
+        found.insert(found.end(), here.begin(), here.end());
+        const std::string name = folder.filename().string();
+        // Those above the folders of a subject and a session apply, too.
+        inside = name.starts_with("sub-") || name.starts_with("ses-") || name == "motion";
+        folder = folder.parent_path();
+    }
     return found;
 }
 
@@ -208,8 +230,8 @@ Content content_of(const std::string& path, const std::string& skeleton) {
     add_content(path, content);
     if (!skeleton.empty())
         add_content(skeleton, content);
-    else if (ends_in(path, ".amc"))
-        for (const std::string& found : skeletons_beside(path))
+    else
+        for (const std::string& found : files_beside(path))
             add_content(found, content);
     return content;
 }

@@ -20,7 +20,7 @@ struct Found {
 
 /// The files among `paths`, and those of readable formats below the folders among them, by path,
 /// each path once. The folder of results, `out`, is searched only if it is among `paths`, and then
-/// without the summaries. Throws Failure with Exit::usage if two have one result, or if there is
+/// without the summaries. Tables that describe recordings of BIDS are no clips. Throws Failure with Exit::usage if two have one result, or if there is
 /// none.
 Found find_clips(const std::vector<std::string>& paths, const std::string& out);
 
@@ -37,7 +37,8 @@ struct Shard {
 Shard parse_shard(const std::string& text);
 std::vector<ClipPath> clips_of(const Shard& shard, const std::vector<ClipPath>& clips);
 
-/// Size and CRC-32 of a clip's file, with those of the skeletons that it may need.
+/// Size and CRC-32 of a clip's file, with those of the skeletons that it may need, or of the files
+/// that describe a recording of Motion-BIDS.
 struct Content {
     std::uint64_t bytes = 0;
     std::uint32_t crc32 = 0;

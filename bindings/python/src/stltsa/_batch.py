@@ -32,6 +32,14 @@ if TYPE_CHECKING:
 
     from ._options import Options
 
+# Tables of BIDS datasets that describe recordings.
+_DESCRIPTIONS = (
+    "_channels.tsv",
+    "_events.tsv",
+    "_scans.tsv",
+    "_sessions.tsv",
+    "_participants.tsv",
+)
 _SUFFIXES = (
     *(".bvh", ".amc", ".csv", ".tsv", ".npy", ".c3d", ".trc", ".mot", ".sto"),
     *READERS,
@@ -214,6 +222,8 @@ def _in_folder(folder: Path, seen: set[Path]) -> Iterator[str]:
     for entry in entries:
         if entry.is_dir():
             yield from _in_folder(entry, seen)
+        elif f"_{entry.name}".lower().endswith(_DESCRIPTIONS):
+            continue
         elif entry.suffix.lower() in _SUFFIXES and entry.is_file():
             yield str(entry)
 

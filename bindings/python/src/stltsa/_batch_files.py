@@ -43,10 +43,29 @@ def _content(file: Path) -> bytes:
     return file.read_bytes()
 
 
-def _is_skeleton(file: Path) -> bool:
-    """Return whether the library would look at the file; which one it takes shows later."""
-    hidden = file.name.startswith(".")
-    return not hidden and file.suffix.lower() == ".asf" and file.is_file()
+def _files_in(folder: Path, *endings: str) -> list[Path]:
+    """Return the files of a folder that end so, by name."""
+
+    def counts(file: Path) -> bool:
+        hidden = file.name.startswith(".")
+        return not hidden and file.name.lower().endswith(endings) and file.is_file()
+
+    return sorted(filter(counts, folder.iterdir()))
+
+
+def _files_beside(clip: Path) -> list[Path]:
+    """Return those that the library would look at; which of them it takes shows later."""
+    folder, name = clip.parent, clip.name.lower()
+    if name.endswith(".amc"):
+        return _files_in(folder, ".asf")
+    found: list[Path] = []
+    inside = name.endswith("_motion.tsv")
+    while inside:
+        found += _files_in(folder, "channels.tsv", "motion.json")
+        # Those above the folders of a subject and a session apply, too.
+        inside = folder.name.startswith(("sub-", "ses-")) or folder.name == "motion"
+        folder = folder.parent
+    return found
 
 
 def origin_of(path: str, out: Path, options: Mapping[str, Any]) -> dict[str, Any]:
@@ -56,9 +75,7 @@ def origin_of(path: str, out: Path, options: Mapping[str, Any]) -> dict[str, Any
     file = Path(path if is_path else before)
     content = _content(file)
     skeleton = options.get("skeleton")
-    beside = [Path(skeleton)] if skeleton else []
-    if not skeleton and file.name.lower().endswith(".amc"):
-        beside = sorted(filter(_is_skeleton, file.parent.iterdir()))
+    beside = [Path(skeleton)] if skeleton else _files_beside(file)
     content += b"".join(map(_content, beside))
     flags = {"individual": "subject"}  # where they differ from the keywords
     named = sorted(
