@@ -52,8 +52,9 @@ def other_names(folder):
     yield Case(write(folder / "b.csv", timed("elapsed_ms", milliseconds)))
     since = [1700000000000 + round(1000 * i / FPS) for i in range(len(walk_points()))]
     yield Case(write(folder / "c.csv", timed("host_timestamp", since)))
-    percent = write(folder / "d.csv", timed("Time (%)", times()))
-    yield Case(percent, note="no coordinates of points, so left out: column 'Time (%)'")
+    for name in ("Time (%)", "percent", "percent_gait_cycle"):
+        percent = write(folder / "d.csv", timed(name, times()))
+        yield Case(percent, note=f"no coordinates of points, so left out: column '{name}'")
 
 
 @layout("dates and times of day: `2024-01-31 12:00:00.033`")

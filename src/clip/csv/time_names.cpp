@@ -20,6 +20,11 @@ std::string squashed(std::string_view name) {
     return text;
 }
 
+/// Of a cycle, as in "Time (%)" and "percent_gait": no time in seconds.
+bool is_share(std::string_view column) {
+    return column.find('%') != column.npos || squashed(column).find("percent") != std::string::npos;
+}
+
 bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
     return std::ranges::find(words, word) != words.end();
 }
@@ -64,7 +69,7 @@ std::optional<double> unit_of(std::string_view word) {
 
 std::optional<TimeName> time_name(std::string_view column) {
     const std::string name = squashed(column);
-    if (column.find('%') != column.npos)
+    if (is_share(column))
         return std::nullopt;
     if (name == "seconds")
         return TimeName{1, false};
@@ -81,7 +86,7 @@ std::optional<TimeName> time_name(std::string_view column) {
 }
 
 std::optional<double> unit_after(std::string_view column) {
-    if (column.find('%') != column.npos)
+    if (is_share(column))
         return std::nullopt;
     const std::string_view name = trim(column);
     const std::size_t place = name.find_last_of("_ .([");
