@@ -42,6 +42,16 @@ class Presence(CommandTest):
             self.assertEqual([each["begin"] for each in found[level]], ends[:-1])
             self.assertEqual(ends[-1], frames)
 
+    def test_cycles_beside_a_hole_are_as_long_as_others(self):
+        """What lies in a hole is no posture of rest, in which cycles begin and end."""
+        for tenths in range(20, 31):
+            begin = tenths / 10
+            path = self.recording(6, lambda t, p: not begin <= t < begin + 0.4)
+            cycles = self.json("decompose", path)["cycles"]
+            self.assertGreater(len(cycles), 1)
+            for cycle in cycles:
+                self.assertAlmostEqual(cycle["end_s"] - cycle["begin_s"], 1, delta=0.03, msg=(begin, cycle))
+
     def test_a_body_that_comes_late_and_leaves_early(self):
         path = self.recording(8.4, lambda t, p: 3.2 <= t < 6.9)
         found = self.json("decompose", path)

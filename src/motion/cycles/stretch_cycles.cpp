@@ -90,19 +90,38 @@ void trim(const std::vector<Rows>& rests, Growth& growth) {
     run.begin = begin;
 }
 
-/// The rests beside the motion, which touch the rows it may have.
+/// The rows of a rest in which its posture is read by a motion before it, and by one after it.
+Rows first_of(Rows rest, double rate) {
+    return {rest.begin, std::min(rest.end, rest.begin + std::max<std::int64_t>(
+                                                            1, std::lround(posture_s * rate)))};
+}
+Rows last_of(Rows rest, double rate) {
+    return {
+        std::max(rest.begin, rest.end - std::max<std::int64_t>(1, std::lround(posture_s * rate))),
+        rest.end};
+}
+
+/// The rests beside the motion, which touch the rows it may have. One whose posture was not
+/// recorded is a hole, at which the motion is cut off.
 struct Beside {
     std::optional<Rows> before, after;
 };
 
-Beside rests_beside(const std::vector<Rows>& rests, const Growth& growth, Rows within) {
+Beside rests_beside(const StillRows& still, const Growth& growth, Rows within, double rate) {
+    const auto is_recorded = [&](Rows rows) {
+        return std::ranges::none_of(still.holes, [rows](const Rows& hole) {
+            return hole.begin < rows.end && rows.begin < hole.end;
+        });
+    };
     const auto reach = static_cast<std::int64_t>(near_rest * growth.mean.period);
     const std::int64_t begin = growth.run.begin, end = growth.run.end();
     Beside beside;
-    for (const Rows& rest : rests) {
-        if (rest.begin < begin && rest.end >= std::max(begin - reach, within.begin))
+    for (const Rows& rest : still.rests) {
+        if (rest.begin < begin && rest.end >= std::max(begin - reach, within.begin) &&
+            is_recorded(last_of(rest, rate)))
             beside.before = rest;
-        if (rest.end > end && rest.begin <= std::min(end + reach, within.end) && !beside.after)
+        if (rest.end > end && rest.begin <= std::min(end + reach, within.end) && !beside.after &&
+            is_recorded(first_of(rest, rate)))
             beside.after = rest;
     }
     return beside;
@@ -133,7 +152,6 @@ double turned(double from, double to) {
 }
 
 std::optional<Home> home_of(const Signal& signal, const Beside& beside, const Growth& growth) {
-    const auto posture = std::max<std::int64_t>(1, std::lround(posture_s * signal.rate));
     const Run& run = growth.run;
     std::optional<Home> home;
     const auto meet = [&](Rows rows, std::int64_t row, auto end) {
@@ -158,11 +176,9 @@ std::optional<Home> home_of(const Signal& signal, const Beside& beside, const Gr
         (*home).*end = {static_cast<double>(row), phase};
     };
     if (beside.before)
-        meet({std::max(beside.before->begin, beside.before->end - posture), beside.before->end},
-             beside.before->end, &Home::from);
+        meet(last_of(*beside.before, signal.rate), beside.before->end, &Home::from);
     if (beside.after)
-        meet({beside.after->begin, std::min(beside.after->end, beside.after->begin + posture)},
-             beside.after->begin, &Home::to);
+        meet(first_of(*beside.after, signal.rate), beside.after->begin, &Home::to);
     return home;
 }
 
@@ -392,9 +408,10 @@ CyclicStretch cut_stretch(const Signal& signal, const Stretch& stretch, Rows par
     Growth& growth = cut.growth;
     if (growth.run.rows() > 1)
         trim(still.rests, growth);
-    if (const auto home = growth.run.rows() > 1
-                              ? home_of(signal, rests_beside(still.rests, growth, within), growth)
-                              : std::nullopt) {
+    if (const auto home =
+            growth.run.rows() > 1
+                ? home_of(signal, rests_beside(still, growth, within, signal.rate), growth)
+                : std::nullopt) {
         cut.borders = borders_from_home(growth, *home);
         cut.from_rest = home->from.has_value();
         cut.to_rest = home->to.has_value();
@@ -408,7 +425,7 @@ CyclicStretch cut_stretch(const Signal& signal, const Stretch& stretch, Rows par
     cut.phase = trace_phase(signal, growth, progress);
     if (cut.borders.size() < 2) {
         cut.from_rest = cut.to_rest = false;
-        const Beside beside = rests_beside(still.rests, growth, within);
+        const Beside beside = rests_beside(still, growth, within, signal.rate);
         const bool cut_off = !beside.before && !beside.after &&
                              static_cast<double>(growth.run.rows()) >
                                  most_of_part * static_cast<double>(part.count());

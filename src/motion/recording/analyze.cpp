@@ -134,7 +134,7 @@ Recording analyze(ConstMatrixView samples, double fps, const Options& options,
     const auto drafts_at = [&](std::int64_t more) {
         const std::vector<Part> parts =
             divide(signal, {seconds > shortest_divided_s ? &features : nullptr, more, holes},
-                   {rests, pauses.rests}, options.periods, progress);
+                   {rests, pauses.rests, holes}, options.periods, progress);
         std::vector<Draft> drafts =
             make_drafts(signal, parts, pauses, features.of_shapes(), poll_at(1));
         merge_shapes(features, parts, drafts);
@@ -152,7 +152,7 @@ Recording analyze(ConstMatrixView samples, double fps, const Options& options,
     const Context context{signal, features, pauses};
     if (options.strikes) {
         const Recording first = answer_of(context, drafts, samples, options, poll_at(1));
-        begin_all_at_strikes(signal, options.strikes(first), {rests, pauses.rests}, drafts);
+        begin_all_at_strikes(signal, options.strikes(first), {rests, pauses.rests, holes}, drafts);
     }
     return answer_of(context, std::move(drafts), samples, options, poll_at(1));
 }
