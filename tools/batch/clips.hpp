@@ -20,8 +20,8 @@ struct Found {
 
 /// The files among `paths`, and those of readable formats below the folders among them, by path,
 /// each path once. The folder of results, `out`, is searched only if it is among `paths`, and then
-/// without the summaries. Tables that describe recordings of BIDS are no clips. Throws Failure with Exit::usage if two have one result, or if there is
-/// none.
+/// without the summaries. Tables that describe recordings of BIDS are no clips. Throws Failure with
+/// Exit::usage if two have one result, or if there is none.
 Found find_clips(const std::vector<std::string>& paths, const std::string& out);
 
 /// "3 files left out, ...": how they are read.

@@ -263,7 +263,7 @@ def _positions(clip: Clip) -> Any:
 def save_c3d(clip: Clip, path: Path) -> None:
     """Write the points of a clip and its events."""
     stated = clip.facts
-    values = _positions(clip) if stated["features"] == "points" else np.empty(0)
+    values: Any = _positions(clip) if stated["features"] == "points" else np.empty(0)
     if values.ndim != 3 or values.shape[2] != 3 or not clip.fps:
         text = f"{path}: a C3D file holds points in space and their frame rate, and this clip "
         lack = "has no frame rate" if values.ndim == 3 and values.shape[2] == 3 else "has none"
