@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
 
 #include "clip/arrays/arrays.hpp"
@@ -25,24 +26,30 @@ struct Layout {
     std::int64_t first = 1, frames = 0; ///< `first`: number in the recording, from 1
 };
 
-/// Two numbers of 16 bits, the lower first; 0: the file has none.
-std::int64_t long_number(const File& file, const char* name) {
+/// The whole part of a number; none if no file has so many frames.
+std::optional<std::int64_t> frame_number(double number) {
+    constexpr double most = 1e15;
+    return std::abs(number) < most ? std::optional(static_cast<std::int64_t>(number))
+                                   : std::nullopt;
+}
+
+/// Two numbers of 16 bits, the lower first.
+std::optional<std::int64_t> long_number(const File& file, const char* name) {
     const auto halves = file.parameter(name).numbers;
-    return halves.size() < 2 ? 0 : static_cast<std::int64_t>(halves[0] + short_range * halves[1]);
+    return halves.size() < 2 ? std::nullopt : frame_number(halves[0] + short_range * halves[1]);
 }
 
 /// Frames that the file says it has, the best statement first. `room`: for so many there are bytes,
 /// of which `filled` are not zeros that fill the last block.
 std::vector<std::int64_t> stated_frames(const File& file, std::int64_t room, std::int64_t filled) {
-    constexpr double most = 1e15;
     std::vector<std::int64_t> stated;
-    const std::int64_t start = long_number(file, "trial:actual_start_field"),
-                       end = long_number(file, "trial:actual_end_field");
-    if (end > 0 && end >= start)
-        stated.push_back(end - start + 1);
+    const auto start = long_number(file, "trial:actual_start_field"),
+               end = long_number(file, "trial:actual_end_field");
+    if (start && end && *end > 0 && *end >= *start)
+        stated.push_back(*end - *start + 1);
     for (const char* name : {"point:long_frames", "point:frames"})
-        if (const double frames = file.number(name); frames >= 1 && frames < most)
-            stated.push_back(static_cast<std::int64_t>(frames));
+        if (const auto frames = frame_number(file.number(name)); frames && *frames >= 1)
+            stated.push_back(*frames);
     // The numbers of the header begin anew after 65535 or stay there.
     const std::int64_t first = file.word(6), last = file.word(8);
     const std::int64_t counted = (last - first + 1 + short_range) % short_range;
@@ -97,8 +104,8 @@ Layout layout_of(const File& file, Clip& clip) {
     layout.points = file.word(2);
     layout.first = file.word(6);
     if (const auto start = long_number(file, "trial:actual_start_field");
-        start % short_range == layout.first)
-        layout.first = start;
+        start && *start % short_range == layout.first)
+        layout.first = *start;
     const double scale = file.real(12);
     layout.width = scale < 0 ? 4 : 2;
     if (!(scale < 0))

@@ -47,7 +47,6 @@ class TrcReader {
     TableHead head() {
         if (!starts_with_ignoring_case(trim(in_.line()), "PathFileType"))
             in_.fail(Status::format, "the first line of a TRC file begins with PathFileType");
-        Line keys;
         for (;;) {
             const std::string_view line = in_.line();
             if (line.empty() || is_row(line))
@@ -58,11 +57,10 @@ class TrcReader {
                 take_names(cells);
                 break;
             }
-            keys = cells;
             TextCursor ahead = in_; // the values of the keys are numbers
-            if (const Line values = header_cells(ahead.line()); is_values(keys, values)) {
-                for (std::size_t i = 0; i < std::min(keys.size(), values.size()); ++i)
-                    said_[to_lower(keys[i])] = values[i];
+            if (const Line values = header_cells(ahead.line()); is_values(cells, values)) {
+                for (std::size_t i = 0; i < std::min(cells.size(), values.size()); ++i)
+                    said_[to_lower(cells[i])] = values[i];
                 in_ = ahead;
             }
         }
@@ -137,7 +135,8 @@ class TrcReader {
     /// Some repeat the name above each of the three columns, perhaps with its axis.
     void name_each_once() {
         const auto count = parse_integer(said("nummarkers"));
-        if (!count || *count < 1 || std::ssize(markers_) != 3 * *count)
+        const std::int64_t names = std::ssize(markers_);
+        if (!count || names % 3 != 0 || *count != names / 3)
             return;
         Line once;
         for (std::size_t c = 0; c < markers_.size(); c += 3) {

@@ -255,6 +255,16 @@ void test_files_of_another_length(void**) {
     cropped.words("ACTUAL_START_FIELD", 2, {1, 0});
     cropped.words("ACTUAL_END_FIELD", 2, {1000, 0});
     assert_values(parse(cropped.bytes(), Format::c3d), cropped);
+    // Nor is an end without a start a statement, or a number that no frame has.
+    Recording open;
+    open.frames = 400; // the rest of the last block has room for another
+    open.group("TRIAL", 2);
+    open.words("ACTUAL_END_FIELD", 2, {400, 0});
+    assert_values(parse(open.bytes(), Format::c3d), open);
+    longer.group("TRIAL", 2);
+    longer.real_values("ACTUAL_START_FIELD", 2, {-1e30, 0});
+    longer.words("ACTUAL_END_FIELD", 2, {300, 0});
+    assert_int_equal(parse(longer.bytes(), Format::c3d).frames(), 300);
 }
 
 void test_events(void**) {

@@ -84,6 +84,8 @@ void the_header_of_trc_is_compared(void**) {
     assert_true(says(clip, "say 100 frames a second, but the times 50"));
     assert_true(says(clip, "the header says NumMarkers 3, but the file has 2"));
     assert_true(says(clip, "the header says NumFrames 4, but the file has 3"));
+    assert_true(says(parse(trc("50\t50\t3\t9223372036854775807"), Format::trc),
+                     "says NumMarkers 9223372036854775807, but the file has 2"));
     // Without times, the header and the numbers of the frames are the clock.
     const Clip still = parse(trc("50", "1\t0\t1\t2\t3\t4\t5\t6\n2\t0\t1\t2\t3\t4\t5\t6\n"
                                        "5\t0\t7\t8\t9\t4\t5\t6\n"),
