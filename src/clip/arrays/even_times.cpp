@@ -254,6 +254,10 @@ TimeSteps::TimeSteps(std::span<const double> times) {
     usual = std::accumulate(begin, end, 0.0) / static_cast<double>(end - begin);
 }
 
+bool TimeSteps::even() const {
+    return least >= shortest_step * median && most <= longest_step * median;
+}
+
 bool are_rounded(std::span<const double> times) {
     // Fewer steps that are longer or shorter than most are more likely lost or repeated rows.
     constexpr double least_share = 0.1, least_count = 3;

@@ -22,9 +22,7 @@ struct TimeSteps {
     explicit TimeSteps(std::span<const double> times);
 
     /// Even except for times rounded to a few digits. A missing row would cause a double step.
-    bool even() const { return least >= 0.5 * median && most <= 1.5 * median; }
-    /// Consecutive integers such as 5, 6, 7.
-    bool count() const { return least == 1 && most == 1; }
+    bool even() const;
 };
 
 /// Whether the times are those of even rows, rounded to a unit as large as their steps, so that

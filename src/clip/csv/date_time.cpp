@@ -8,7 +8,7 @@
 namespace stltsa::clip {
 namespace {
 
-constexpr double seconds_a_minute = 60, seconds_an_hour = 3600, seconds_a_day = 86400;
+constexpr double seconds_a_minute = 60, seconds_an_hour = 3600;
 
 bool is_digit(char c) {
     return c >= '0' && c <= '9';

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "clip/arrays/even_times.hpp"
+#include "clip/csv/date_time.hpp"
 #include "clip/csv/point_columns.hpp"
 #include "clip/csv/row_count.hpp"
 #include "clip/csv/time_names.hpp"
@@ -17,16 +18,6 @@
 namespace stltsa::clip {
 namespace {
 
-/// Range of plausible rates, wider than those of motion capture.
-constexpr double least_rate = 2;
-constexpr double most_rate = 1e5;
-
-constexpr double day = 86400; // seconds
-
-bool is_plausible(double rate) {
-    return rate >= least_rate && rate <= most_rate;
-}
-
 struct Unit {
     double seconds;
     std::string_view name;
@@ -36,7 +27,7 @@ constexpr Unit units[] = {
 
 /// The unit in which the time is a date between 1990 and 2100, counted from 1970.
 const Unit* unit_since_1970(double time) {
-    constexpr double year = 365.25 * day;
+    constexpr double year = 365.25 * seconds_a_day;
     for (const Unit& unit : units)
         if (time * unit.seconds > 20 * year && time * unit.seconds < 130 * year)
             return &unit;
@@ -68,7 +59,8 @@ std::optional<std::size_t> first_fault(const std::vector<double>& times) {
 }
 
 bool are_days(const std::vector<double>& dates) {
-    return std::ranges::all_of(dates, [](double date) { return std::fmod(date, day) == 0; });
+    return std::ranges::all_of(dates,
+                               [](double date) { return std::fmod(date, seconds_a_day) == 0; });
 }
 
 class TimeColumns {
@@ -137,7 +129,7 @@ class TimeColumns {
         std::vector<double> values = column_of(clip_.values, column);
         if (is_dated(column) && !days_.empty())
             for (std::size_t i = 0; i < values.size(); ++i)
-                values[i] += values[i] < day ? days_[i] : 0;
+                values[i] += values[i] < seconds_a_day ? days_[i] : 0;
         const auto fault = first_fault(values);
         const TimeName named = time_name(title(column)).value_or(TimeName{1, false});
         if (has_clock_) {
@@ -168,7 +160,7 @@ class TimeColumns {
         if (unit == 0)
             unit = letter || counts ? unit_by_date(values, how) : guessed_unit(values, how);
         const double rate = rate_of(TimeSteps(values).mean * unit);
-        if (!options_.fps && !is_plausible(rate)) {
+        if (!options_.fps && !is_plausible_rate(rate)) {
             if (counts)
                 return take_count(column, values);
             return note("column {} as time would give {:.3g} frames a second: kept as a channel; "
@@ -205,7 +197,7 @@ class TimeColumns {
             return unit_by_date(values, how);
         const double step = TimeSteps(values).mean;
         for (const Unit& unit : units)
-            if (is_plausible(rate_of(step * unit.seconds))) {
+            if (is_plausible_rate(rate_of(step * unit.seconds))) {
                 if (unit.seconds < 1)
                     how = format_text("; taken as {}, since seconds would give {:.3g} frames a "
                                       "second: put the unit into the name, as in 'time (ms)'",
@@ -293,7 +285,7 @@ class TimeColumns {
             !are_equal_steps(values) ||
             !coordinate_of(title(column), AxisPlace::last).point.empty())
             return;
-        if (!is_plausible(rate_of(TimeSteps(values).mean * *unit)))
+        if (!is_plausible_rate(rate_of(TimeSteps(values).mean * *unit)))
             return;
         note("column {} increases by equal steps: taken as time{}", in_quotes(title(column)),
              *unit == 1 ? ", in seconds" : "");
@@ -380,6 +372,11 @@ void note_unnamed_time(Clip& clip) {
 }
 
 } // namespace
+
+bool is_plausible_rate(double rate) {
+    constexpr double least = 2, most = 1e5;
+    return rate >= least && rate <= most;
+}
 
 void extract_time(Clip& clip, const TableFacts& facts, const std::string& name,
                   const ReadOptions& options) {

@@ -6,6 +6,9 @@
 
 namespace stltsa::clip {
 
+/// Whether so many frames a second are plausible: a range wider than that of motion capture.
+bool is_plausible_rate(double rate);
+
 /// The one rule of time of all text formats. Removes the columns of times and of counted frames,
 /// which are not channels, and sets fps; clip.fps as given is what the lines before the table say.
 /// - The clock is the first column that is named as time, or else has dates. Its unit is that of
