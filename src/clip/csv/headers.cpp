@@ -7,6 +7,8 @@
 
 #include "clip/csv/cells.hpp"
 #include "clip/csv/date_time.hpp"
+#include "clip/csv/subject_rows.hpp"
+#include "clip/csv/time_column.hpp"
 #include "clip/csv/time_names.hpp"
 #include "clip/features/point_names.hpp"
 #include "clip/text/number.hpp"
@@ -18,9 +20,6 @@ using Line = std::vector<std::string>; ///< its cells
 
 /// Numbers begin within so many lines, or there is no preamble.
 constexpr std::size_t most_lines = 64;
-/// Plausible rates of a line that has nothing but a number.
-constexpr double least_rate = 2;
-constexpr double most_rate = 1e5;
 
 bool is_filled(const std::string& cell) {
     return !cell.empty();
@@ -41,17 +40,9 @@ bool is_all(const Line& cells, bool (*holds)(std::string_view)) {
                        [holds](const std::string& cell) { return cell.empty() || holds(cell); });
 }
 
-bool is_length(std::string_view cell) {
-    constexpr std::string_view units[] = {"m",    "mm",  "cm",          "km",     "in",
-                                          "ft",   "px",  "mm.",         "pixel",  "pixels",
-                                          "(mm)", "(m)", "millimeters", "meters", "centimeters"};
-    return std::ranges::any_of(
-        units, [cell](std::string_view u) { return equals_ignoring_case(cell, u); });
-}
-
 bool is_unit(std::string_view cell) {
-    constexpr std::string_view units[] = {"s", "ms", "sec", "hz", "n/a", "unit", "%"};
-    return is_length(cell) || is_other_unit(cell) ||
+    constexpr std::string_view units[] = {"hz", "n/a", "unit", "%"};
+    return is_length_unit(cell) || is_other_unit(cell) || is_time_unit(cell) ||
            std::ranges::any_of(
                units, [cell](std::string_view u) { return equals_ignoring_case(cell, u); });
 }
@@ -64,16 +55,11 @@ bool is_constant(const Line& cells) {
     return cells.size() > 3;
 }
 
-/// Whether the line, by its label in one of the first two columns, has one of these.
-template <std::size_t n>
-bool is_labelled(const Line& cells, const std::string_view (&labels)[n]) {
+/// Whether one of the first two columns has a label of which this holds.
+template <class Holds>
+bool is_labelled(const Line& cells, Holds holds) {
     return std::any_of(cells.begin(),
-                       cells.begin() + std::min<std::ptrdiff_t>(2, std::ssize(cells)),
-                       [&](const std::string& cell) {
-                           return std::ranges::any_of(labels, [&](std::string_view label) {
-                               return equals_ignoring_case(cell, label);
-                           });
-                       });
+                       cells.begin() + std::min<std::ptrdiff_t>(2, std::ssize(cells)), holds);
 }
 
 /// Whether it says what its cells are, beside its names.
@@ -83,14 +69,11 @@ bool has_label(const Line& cells) {
 
 /// Numbers and kinds that a system gives its markers; the name of the network that tracked.
 bool is_beside_names(const Line& cells) {
-    constexpr std::string_view labels[] = {"id", "parent", "type", "scorer"};
-    return is_labelled(cells, labels);
-}
-
-bool names_subjects(const Line& cells) {
-    constexpr std::string_view labels[] = {"individual", "individuals", "subject",
-                                           "subjects",   "animal",      "animals"};
-    return is_labelled(cells, labels);
+    return is_labelled(cells, [](std::string_view cell) {
+        constexpr std::string_view labels[] = {"id", "parent", "type", "scorer"};
+        return std::ranges::any_of(
+            labels, [cell](std::string_view label) { return equals_ignoring_case(cell, label); });
+    });
 }
 
 /// "X", or the "X1" of some programs, which number the points.
@@ -211,7 +194,7 @@ class HeadReader {
     void find_rate(Head& head) const {
         const auto take = [&](std::string_view cell) {
             const auto rate = parse_cell(next_word(cell)); // "30 Hz"
-            if (rate && *rate >= least_rate && *rate <= most_rate && head.fps == 0)
+            if (rate && is_plausible_rate(*rate) && head.fps == 0)
                 head.fps = *rate;
         };
         for (const Line& cells : lines_) {
@@ -250,7 +233,8 @@ class HeadReader {
     void find_unit(Head& head) const {
         for (const Line& cells : lines_)
             for (std::size_t c = 0; c + 1 < cells.size(); ++c)
-                if (to_lower(cells[c]).find("unit") != std::string::npos && is_length(cells[c + 1]))
+                if (to_lower(cells[c]).find("unit") != std::string::npos &&
+                    is_length_unit(cells[c + 1]))
                     return note_unit(cells[c + 1], head);
     }
 
@@ -261,9 +245,11 @@ class HeadReader {
     /// Qualisys without a header of columns: a line has the name of each marker once, and rows may
     /// begin with a frame number and a time.
     bool take_marker_names(Head& head) const {
-        constexpr std::string_view labels[] = {"marker_names"};
-        const auto line = std::ranges::find_if(
-            lines_, [&](const Line& cells) { return is_labelled(cells, labels); });
+        const auto line = std::ranges::find_if(lines_, [](const Line& cells) {
+            return is_labelled(cells, [](std::string_view cell) {
+                return equals_ignoring_case(cell, "marker_names");
+            });
+        });
         if (line == lines_.end() || lines_.back().size() == columns_)
             return false;
         const auto markers = static_cast<std::size_t>(
@@ -374,7 +360,7 @@ class HeadReader {
             if (!name.empty())
                 name += between;
             name += !name.empty() && is_axis(level[c]) ? level[c].substr(0, 1) : level[c];
-            between = names_subjects(level) ? ':' : '_';
+            between = is_labelled(level, names_subject) ? ':' : '_';
         }
         return name;
     }
@@ -398,7 +384,7 @@ class HeadReader {
         std::string length;
         for (std::size_t c = 0; c < units_.size(); ++c) {
             const std::string& unit = units_[c];
-            if (is_length(unit))
+            if (is_length_unit(unit))
                 length = length.empty() ? unit : length;
             else if (!unit.empty() && !is_gap(unit))
                 head.names[c] += " (" + unit + ')';

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "clip/csv/cells.hpp"
+#include "clip/csv/time_names.hpp"
 #include "clip/features/subjects.hpp"
 #include "clip/text/text_cursor.hpp"
 
@@ -19,8 +20,7 @@ bool is_any(std::string_view name, std::initializer_list<std::string_view> words
 
 std::optional<std::int64_t> frame_column(const Clip& clip) {
     for (std::size_t c = 0; c < clip.channel_names.size(); ++c)
-        if (is_any(clip.channel_names[c],
-                   {"frame", "frames", "frame_idx", "frame_index", "frame_number", "frameno"}))
+        if (is_frame_name(clip.channel_names[c]))
             return static_cast<std::int64_t>(c);
     return std::nullopt;
 }
@@ -64,10 +64,11 @@ void keep_rows(Clip& clip, const std::vector<std::string>& subjects,
 } // namespace
 
 bool names_subject(std::string_view column) {
-    return is_any(column,
-                  {"track", "track_id", "track_name", "individual", "individuals", "individual_id",
-                   "subject", "subject_id", "animal", "animal_id", "person", "person_id", "player",
-                   "participant", "actor", "id", "object_id", "body_id", "instance"});
+    return is_any(column, {"track",         "track_id",  "track_name", "individual", "individuals",
+                           "individual_id", "subject",   "subjects",   "subject_id", "animal",
+                           "animals",       "animal_id", "person",     "person_id",  "player",
+                           "participant",   "actor",     "id",         "object_id",  "body_id",
+                           "instance"});
 }
 
 void take_rows_of_subject(Clip& clip, std::optional<std::size_t> column,

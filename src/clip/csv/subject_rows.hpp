@@ -12,8 +12,8 @@
 
 namespace stltsa::clip {
 
-/// Whether a column has the subject of each row: "track", "individual", "subject", ...
-bool names_subject(std::string_view column);
+/// Whether a column, or a line of a header, has subjects: "track", "individual", "subject", ...
+bool names_subject(std::string_view label);
 
 /// Keeps the rows of one subject, and their lines, by the text of the column for each row, if the
 /// column has names or if rows repeat a frame number. Throws if several rows of the subject are of

@@ -65,7 +65,18 @@ std::optional<double> unit_of(std::string_view word) {
     return std::nullopt;
 }
 
+/// "frames", "frameno", "frameindex", ...
+bool counts(std::string_view name, std::string_view what) {
+    return name.starts_with(what) &&
+           is_one_of(name.substr(what.size()), {"", "s", "no", "nr", "num", "number", "index",
+                                                "idx", "id", "count", "counter"});
+}
+
 } // namespace
+
+bool is_time_unit(std::string_view word) {
+    return unit_of(to_lower(word)).value_or(0) > 0;
+}
 
 std::optional<TimeName> time_name(std::string_view column) {
     const std::string name = squashed(column);
@@ -99,14 +110,12 @@ std::optional<double> unit_after(std::string_view column) {
 
 bool is_counter_name(std::string_view column) {
     const std::string name = squashed(column);
-    if (is_one_of(name, {"index", "idx", "counter", "count", "seq"}))
-        return true;
-    for (const std::string_view what : {"frame", "sample", "packet", "sequence"})
-        if (name.starts_with(what))
-            return is_one_of(
-                std::string_view(name).substr(what.size()),
-                {"", "s", "no", "nr", "num", "number", "index", "idx", "id", "count", "counter"});
-    return false;
+    return is_one_of(name, {"index", "idx", "counter", "count", "seq"}) || counts(name, "frame") ||
+           counts(name, "sample") || counts(name, "packet") || counts(name, "sequence");
+}
+
+bool is_frame_name(std::string_view column) {
+    return counts(squashed(column), "frame");
 }
 
 bool is_subframe_name(std::string_view column) {

@@ -21,8 +21,14 @@ std::optional<TimeName> time_name(std::string_view column);
 /// of "Zeit". None if the name says that it is not time: "Zeit (%)", "angle (deg)".
 std::optional<double> unit_after(std::string_view column);
 
+/// Whether a word is a unit of time, such as "ms".
+bool is_time_unit(std::string_view word);
+
 /// "frame", "Frame#", "packet counter", "sample_index" and the like.
 bool is_counter_name(std::string_view column);
+
+/// Those of them that count frames.
+bool is_frame_name(std::string_view column);
 
 /// The number of a row within its frame: "Sub Frame".
 bool is_subframe_name(std::string_view column);

@@ -84,15 +84,11 @@ constexpr std::string_view all_indices = "0123";
 
 /// Where a unit of length begins that follows an axis, as in "heel_x_mm"; npos: none does.
 std::size_t length_of(std::string_view name) {
-    constexpr std::string_view units[] = {"mm", "cm", "m", "px"};
     const std::size_t place = name.rfind('_');
-    const auto is_unit = [&](std::string_view unit) {
-        return equals_ignoring_case(name.substr(place + 1), unit);
-    };
     const bool follows = place != name.npos && place > 1 &&
                          axis_of(name.substr(place - 1, 1), {}) &&
                          separators.find(name[place - 2]) != separators.npos;
-    return follows && std::ranges::any_of(units, is_unit) ? place : name.npos;
+    return follows && is_length_unit(name.substr(place + 1)) ? place : name.npos;
 }
 
 } // namespace
@@ -109,6 +105,14 @@ std::string_view without_unit(std::string_view name) {
     if (const std::size_t length = length_of(whole); length != whole.npos)
         return whole.substr(0, length);
     return unit_of(whole).empty() ? whole : trim(whole.substr(0, bracket_of(whole)));
+}
+
+bool is_length_unit(std::string_view unit) {
+    constexpr std::string_view units[] = {"m",    "mm",  "cm",          "km",     "in",
+                                          "ft",   "px",  "mm.",         "pixel",  "pixels",
+                                          "(mm)", "(m)", "millimeters", "meters", "centimeters"};
+    return std::ranges::any_of(
+        units, [unit](std::string_view u) { return equals_ignoring_case(unit, u); });
 }
 
 bool is_other_unit(std::string_view unit) {

@@ -20,6 +20,9 @@ std::string_view unit_of(std::string_view name);
 /// The name without the unit.
 std::string_view without_unit(std::string_view name);
 
+/// Whether a unit is one of length, such as "mm".
+bool is_length_unit(std::string_view unit);
+
 /// Whether a unit is that of an angle, a force or another quantity that is not a length.
 bool is_other_unit(std::string_view unit);
 

@@ -320,6 +320,8 @@ void units_of_columns(void**) {
     const Clip one = csv("Trajectories\n100\n,,S:LASI,,\nFrame,Sub Frame,X,Y,Z\n,,mm,mm,mm\n"
                          "1,0,5,6,7\n2,0,7,8,9\n");
     assert_true(one.space == 3 && one.channel_names.back() == "S:LASI_Z");
+    const Clip timed = csv("x,y,time\nm,m,seconds\n1,2,0\n3,4,0.01\n5,6,0.02\n");
+    assert_true(timed.fps == 100 && timed.channel_names == (Names{"x", "y"}));
     const Clip mixed = csv("a_x,a_y,a_z,b_x,b_y,b_z,c_x,c_y,c_z,d_x,d_y,d_z\n"
                            "mm,mm,mm,mm,mm,mm,mm,mm,mm,deg,deg,deg\n"
                            "1,2,3,4,5,6,7,8,9,1,2,3\n1,2,3,4,5,6,7,8,9,1,2,3\n");

@@ -63,6 +63,8 @@ void individuals(void**) {
     const Clip clip = csv(text, "m2");
     assert_true(clip.values.cols() == 2 && clip.values(1, 0) == 7);
     assert_string_equal(clip.channel_names[0].c_str(), "m2:nose_x");
+    std::string other = text;
+    assert_true(csv(other.replace(other.find("individuals"), 11, "Track"), "m2").subject == "m2");
 }
 
 const std::string tracks = "track,frame_idx,instance.score,nose.x,nose.y\n"
@@ -87,6 +89,8 @@ void rows_of_tracks(void**) {
 void rows_that_are_not_frames(void**) {
     ASSERT_FAILS(Status::format, "several rows of one subject are of frame 5",
                  csv("track,frame,p_x,p_y\na,5,1,2\na,5,3,4\na,6,1,2\n"));
+    ASSERT_FAILS(Status::format, "several rows of one subject are of frame 5",
+                 csv("track,Frame Number,p_x,p_y\na,5,1,2\na,5,3,4\na,6,1,2\n"));
     const Clip uncounted = csv("track,frame,p_x,p_y\na,0.5,1,2\na,0.7,3,4\n");
     assert_int_equal(uncounted.frames(), 2);
 }
