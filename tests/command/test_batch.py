@@ -421,6 +421,19 @@ class OtherFormats(CommandTest):
         self.assertIn("2 files left out", self.fails(2, "batch", "clips", "--out", "out",
                                                      cwd=self.folder))  # fmt: skip
 
+    def test_clips_of_all_formats_are_found(self):
+        """The library lists the suffixes that it reads: batch takes the same."""
+        text = self.folder / "hello.txt"
+        text.write_text("hello\n")
+        suffixes = re.findall(r"\.\w+", self.fails(3, "info", text).split("a known format: ")[1])
+        self.assertIn(".sto", suffixes)
+        for suffix in suffixes:
+            (self.folder / "clips" / f"all{suffix}").write_text("hello\n")
+        run("batch", "clips", "--out", "out", cwd=self.folder)
+        with (self.folder / "out" / "summary.csv").open(newline="") as file:
+            paths = {row["path"] for row in csv.DictReader(file)}
+        self.assertEqual(paths, {"clips/a.c3d", *(f"clips/all{suffix}" for suffix in suffixes)})
+
 
 if __name__ == "__main__":
     unittest.main()
