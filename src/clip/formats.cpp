@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "clip/c3d/file.hpp"
+#include "clip/opensim/header.hpp"
 #include "clip/text/text_cursor.hpp"
 
 namespace stltsa::clip {
@@ -59,7 +60,7 @@ bool is_mot(std::string_view bytes) {
         return false;
     TextCursor in(bytes, "");
     for (int i = 0; i < most_lines; ++i)
-        if (equals_ignoring_case(trim(in.line()), "endheader"))
+        if (ends_header(in.line()))
             return true;
     return false;
 }

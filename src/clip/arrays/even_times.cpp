@@ -138,7 +138,7 @@ double rate_of_places(std::span<const std::int64_t> places, const Clock& clock) 
     const double rate = 1 / step;
     if (!std::isfinite(rate))
         return 0;
-    // It is known to a row when a time changes.
+    // The change of a rounded time is known to within one row.
     const double error = std::clamp(std::min(digit, step) / seconds, exact, same_rate);
     const auto open = [&](double other) { return std::abs(other - rate) <= error * rate; };
     if (clock.fps > 0 && open(clock.fps))

@@ -119,12 +119,9 @@ Layout layout_of(const File& file, Clip& clip) {
     return layout;
 }
 
+/// What follows a count of names; empty if there are none.
 std::string list_of(const std::vector<std::string>& names) {
-    constexpr std::size_t most_named = 6;
-    std::string text;
-    for (std::size_t i = 0; i < std::min(names.size(), most_named); ++i)
-        text += (i == 0 ? ": " : ", ") + in_quotes(names[i]);
-    return names.size() > most_named ? text + ", ..." : text;
+    return names.empty() ? "" : ": " + list_in_quotes(names, 6);
 }
 
 /// What the file holds beside points; empty: nothing.
@@ -271,15 +268,12 @@ std::vector<std::string> keep_subject(const std::vector<std::string>& names,
     std::vector<std::string> labels, chosen_labels;
     for (const std::size_t p : points)
         labels.push_back(names[p]);
-    SubjectPoints chosen = points_of_subject(labels, wanted, file);
-    clip.subject = chosen.subject;
-    if (!chosen.note.empty())
-        clip.notes.push_back(std::move(chosen.note));
-    for (std::size_t& i : chosen.points) {
+    auto chosen = take_subject(clip, labels, wanted, file);
+    for (std::size_t& i : chosen) {
         chosen_labels.push_back(labels[i]);
         i = points[i];
     }
-    points = std::move(chosen.points);
+    points = std::move(chosen);
     return chosen_labels;
 }
 

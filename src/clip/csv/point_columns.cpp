@@ -213,15 +213,8 @@ void choose_subject(Columns& found, Clip& clip, const std::string& file,
     std::vector<std::string> names;
     for (const Point& point : found.points)
         names.push_back(point.name);
-    // The rows of one subject have been chosen.
-    SubjectPoints chosen =
-        points_of_subject(names, clip.subject.empty() ? options.subject : std::string(), file);
-    if (clip.subject.empty())
-        clip.subject = chosen.subject;
-    if (!chosen.note.empty())
-        clip.notes.push_back(std::move(chosen.note));
     std::vector<Point> points;
-    for (const std::size_t i : chosen.points)
+    for (const std::size_t i : take_subject(clip, names, options.subject, file))
         points.push_back(std::move(found.points[i]));
     found.points = std::move(points);
 }

@@ -208,9 +208,8 @@ class CsvReader {
             cells.pop_back();
         if (columns_ == 0)
             columns_ = cells.size();
-        if (may_end_early_ && separator_ != ' ' && cells.size() < columns_) {
+        if (may_end_early_ && separator_ != ' ' && cells.size() < columns_)
             pad(cells);
-        }
         if (cells.size() != columns_ || columns_ == 0)
             in_.fail(Status::format, "{} cells, but {} {}", cells.size(),
                      said_by_.empty() ? "the previous lines have" : said_by_ + " describes",
@@ -295,10 +294,10 @@ class CsvReader {
     /// Columns without any number.
     void drop_text() {
         std::vector<std::int64_t> kept;
-        std::string names;
+        std::vector<std::string> names;
         for (std::size_t c = 0; c < columns_; ++c)
             if (contents_[c].kind == Content::Kind::text)
-                names += (names.empty() ? "" : ", ") + in_quotes(clip_.channel_names[c]);
+                names.push_back(clip_.channel_names[c]);
             else
                 kept.push_back(static_cast<std::int64_t>(c));
         if (names.empty())
@@ -307,7 +306,7 @@ class CsvReader {
         for (std::size_t c = 0; c < kept.size(); ++c)
             dated_[c] = dated_[static_cast<std::size_t>(kept[c])];
         dated_.resize(kept.size());
-        clip_.notes.push_back("columns of text, left out: " + names);
+        clip_.notes.push_back("columns of text, left out: " + list_in_quotes(names, 20));
     }
 
     std::string title(std::size_t c) const {

@@ -21,8 +21,8 @@ struct RowCount {
 /// the values are others.
 std::optional<RowCount> row_count(std::vector<double> values);
 
-/// Makes the numbers of frames those of rows, if the others count the rows of each frame. Whether
-/// they do.
+/// Turns numbers of frames into numbers of rows if `subframes` counts the rows of each frame.
+/// Returns whether it does.
 bool add_subframes(std::vector<double>& frames, const std::vector<double>& subframes);
 
 } // namespace stltsa::clip

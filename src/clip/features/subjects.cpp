@@ -10,13 +10,7 @@ namespace stltsa::clip {
 namespace {
 
 std::string in_a_list(const std::vector<std::string>& subjects) {
-    constexpr std::size_t most = 20;
-    std::string text;
-    for (std::size_t i = 0; i < std::min(most, subjects.size()); ++i)
-        text += (i == 0 ? "" : ", ") + in_quotes(subjects[i]);
-    if (subjects.size() > most)
-        text += format_text(" and {} more", subjects.size() - most);
-    return text;
+    return list_in_quotes(subjects, 20);
 }
 
 /// Each subject once, in the order of the points.
@@ -77,6 +71,17 @@ SubjectPoints points_of_subject(const std::vector<std::string>& names, const std
         found.note += format_text("{}{} points of no subject are left out",
                                   found.note.empty() ? "" : "; ", of_none);
     return found;
+}
+
+std::vector<std::size_t> take_subject(Clip& clip, const std::vector<std::string>& names,
+                                      const std::string& wanted, const std::string& file) {
+    SubjectPoints chosen =
+        points_of_subject(names, clip.subject.empty() ? wanted : std::string(), file);
+    if (clip.subject.empty())
+        clip.subject = std::move(chosen.subject);
+    if (!chosen.note.empty())
+        clip.notes.push_back(std::move(chosen.note));
+    return std::move(chosen.points);
 }
 
 } // namespace stltsa::clip

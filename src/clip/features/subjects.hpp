@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "clip/clip.hpp"
+
 namespace stltsa::clip {
 
 /// The subject that the name of a point begins with: "Viktor" of "Viktor:LHEE". Empty: none.
@@ -29,6 +31,11 @@ struct SubjectPoints {
 /// one_subject.
 SubjectPoints points_of_subject(const std::vector<std::string>& names, const std::string& wanted,
                                 const std::string& file);
+
+/// The same for a clip, which then has the name of the subject and the note. If the rows of a
+/// subject have been chosen before, all points are taken.
+std::vector<std::size_t> take_subject(Clip& clip, const std::vector<std::string>& names,
+                                      const std::string& wanted, const std::string& file);
 
 /// What a note says about the subject that was taken; empty if it is the only one.
 std::string subject_note(const std::vector<std::string>& subjects, const std::string& taken);

@@ -23,6 +23,10 @@ std::vector<std::string> header_cells(std::string_view line) {
     return cells;
 }
 
+bool ends_header(std::string_view line) {
+    return equals_ignoring_case(next_word(line, ",;"), "endheader");
+}
+
 void note_other_count(Clip& clip, std::string_view key, std::string_view said, std::int64_t found) {
     if (const auto count = parse_integer(said); count && *count != found)
         clip.notes.push_back(

@@ -35,7 +35,7 @@ std::vector<std::string> parts_of(std::string_view type) {
 class MotHeader {
   public:
     explicit MotHeader(TextCursor& in) {
-        for (std::string_view line = in.line(); !is_end(line); line = in.line()) {
+        for (std::string_view line = in.line(); !ends_header(line); line = in.line()) {
             if (line.empty())
                 in.fail(Status::format, "a MOT or STO file has a line endheader, and the names of "
                                         "the columns below it");
@@ -70,10 +70,6 @@ class MotHeader {
     std::int64_t written() const { return written_; }
 
   private:
-    static bool is_end(std::string_view line) {
-        return equals_ignoring_case(next_word(line, ",;"), "endheader");
-    }
-
     /// "nRows=100"; of SIMM, "datarows 100".
     void take(std::string_view line) {
         std::string_view rest = trim(line);

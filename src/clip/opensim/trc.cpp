@@ -80,14 +80,11 @@ class TrcReader {
 
     /// Leaves the markers of one subject.
     void keep_subject(const ReadOptions& options) {
-        SubjectPoints chosen = points_of_subject(markers_, options.subject, in_.name());
-        clip_.subject = chosen.subject;
-        if (!chosen.note.empty())
-            clip_.notes.push_back(std::move(chosen.note));
-        if (chosen.points.size() == markers_.size())
+        const auto points = take_subject(clip_, markers_, options.subject, in_.name());
+        if (points.size() == markers_.size())
             return;
         std::vector<std::int64_t> columns;
-        for (const std::size_t point : chosen.points)
+        for (const std::size_t point : points)
             for (std::size_t axis = 0; axis < 3; ++axis)
                 columns.push_back(static_cast<std::int64_t>(3 * point + axis));
         keep_columns(clip_, columns, options.progress);

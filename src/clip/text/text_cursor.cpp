@@ -85,6 +85,15 @@ std::string in_quotes(std::string_view text) {
     return "'" + result + "'";
 }
 
+std::string list_in_quotes(const std::vector<std::string>& names, std::size_t most) {
+    std::string text;
+    for (std::size_t i = 0; i < std::min(most, names.size()); ++i)
+        text += (i == 0 ? "" : ", ") + in_quotes(names[i]);
+    if (names.size() > most)
+        text += format_text(" and {} more", names.size() - most);
+    return text;
+}
+
 TextCursor::TextCursor(std::string_view text, std::string name, const Progress& progress)
     : text_(text), name_(std::move(name)), progress_(progress) {
     if (text_.starts_with("\xEF\xBB\xBF"))

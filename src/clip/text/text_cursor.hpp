@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/error.hpp"
 #include "base/progress.hpp"
@@ -26,6 +27,8 @@ std::string_view next_word(std::string_view& line, std::string_view separators =
 
 /// Quotes text of a file for an error message: shortened, without unprintable characters.
 std::string in_quotes(std::string_view text);
+/// The first of the names, each in quotes, and how many more there are.
+std::string list_in_quotes(const std::vector<std::string>& names, std::size_t most);
 
 /// Lines end with \n, \r\n or \r; control characters count as blanks (old files end with Ctrl-Z);
 /// a UTF-8 byte order mark is skipped. Text in UTF-16 is an error.

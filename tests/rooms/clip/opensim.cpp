@@ -174,6 +174,7 @@ void wrong_mot(void**) {
 void formats_are_recognized(void**) {
     assert_true(stltsa::clip::sniff(trc("50")) == Format::trc);
     assert_true(stltsa::clip::sniff(mot("nRows=3\n")) == Format::mot);
+    assert_true(stltsa::clip::sniff("nRows=3,,\nEndHeader,,\n") == Format::mot);
     assert_true(stltsa::clip::sniff("a,b\n1,2\n") == Format::csv);
     assert_true(stltsa::clip::find_format("walk.STO")->format == Format::mot);
 }
