@@ -46,8 +46,8 @@ std::optional<RowCount> row_count(std::vector<double> values) {
         return count;
     const auto middle = steps.begin() + (std::ssize(steps) - 1) / 2;
     std::ranges::nth_element(steps, middle);
-    const double step = *middle;
-    if (!(step > 0 && step < largest) || 2 * std::ranges::count(steps, step) < std::ssize(steps))
+    const double step = *middle; // no other may be less, so at least half of them are this one
+    if (!(step > 0 && step < largest))
         return std::nullopt;
     count.step = static_cast<std::int64_t>(step);
     for (std::size_t i = 1; i < values.size(); ++i) {
