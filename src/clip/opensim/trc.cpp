@@ -58,7 +58,8 @@ class TrcReader {
                 break;
             }
             TextCursor ahead = in_; // the values of the keys are numbers
-            if (const Line values = header_cells(ahead.line()); is_values(cells, values)) {
+            if (const Line values = header_cells(ahead.line());
+                !values.empty() && leading_number(values[0])) {
                 for (std::size_t i = 0; i < std::min(cells.size(), values.size()); ++i)
                     said_[to_lower(cells[i])] = values[i];
                 in_ = ahead;
@@ -91,14 +92,6 @@ class TrcReader {
     }
 
   private:
-    static bool is_values(const Line& keys, const Line& values) {
-        const auto has_rate = [](const std::string& key) {
-            return equals_ignoring_case(key, "DataRate");
-        };
-        return std::ranges::any_of(keys, has_rate) && !values.empty() &&
-               leading_number(values[0]).has_value();
-    }
-
     std::string said(const std::string& key) const {
         const auto found = said_.find(key);
         return found == said_.end() ? std::string() : found->second;

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "clip/csv/date_time.hpp"
+#include "clip/csv/time_names.hpp"
 
 namespace {
 
@@ -61,6 +62,9 @@ void names_of_time(void**) {
 }
 
 void the_named_column_wins(void**) {
+    const Clip apart = csv("t,time,x\n0,0,0\n0.1,0.01,1\n0.2,0.02,2\n");
+    assert_true(apart.fps == 100 && says(apart, "column 't' is time, too"));
+    assert_false(stltsa::clip::time_name("tmin").has_value()); // a least temperature
     // A marker that grows, before and after; a second clock, which is no channel either.
     for (const char* text : {"Time,T10[0],x\n0,0.5,7\n.01,.7,8\n.02,.9,9\n",
                              "T10[0],Time,x\n.5,0,7\n.7,.01,8\n.9,.02,9\n"}) {
@@ -285,6 +289,18 @@ void variable_steps(void**) {
                              std::sin(2 * M_PI * static_cast<double>(i) / clip.fps)) < 2e-3);
 }
 
+/// Steps that become 200 times as long, each like the one before, have no gap among them.
+void slowly_varying_steps(void**) {
+    double time = 0, step = 0.0005;
+    const Clip clip = csv(table("time", 180, [&](int i) {
+        step *= 1.03;
+        time += i > 0 ? step : 0;
+        return format_text("{:.9f}", time);
+    }));
+    assert_false(says(clip, "missing"));
+    assert_true(says(clip, "of which 0 have no value") && clip.frames() == 180);
+}
+
 void contradictions_are_said(void**) {
     const Clip clip =
         csv("Capture Frame Rate,100\n,,\nframe,time,x\n1,0,7\n2,.02,8\n3,.04,9\n4,.06,9\n");
@@ -312,6 +328,7 @@ int main() {
         cmocka_unit_test(guessed_units),
         cmocka_unit_test(faulty_clocks),
         cmocka_unit_test(variable_steps),
+        cmocka_unit_test(slowly_varying_steps),
         cmocka_unit_test(contradictions_are_said),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);

@@ -252,6 +252,8 @@ void key_points_with_likelihoods(void**) {
 
 /// A clinical export: sections with titles, rates, units, names above the first of three columns.
 void preambles_of_clinical_exports(void**) {
+    assert_true(
+        csv("Analog Rate,1000\nCamera Rate,100\nFrame,a_x,a_y,a_z\n1,1,2,3\n2,3,4,5\n").fps == 100);
     const std::string text = "Model Outputs\n100\n,,Pat:LHipAngles,,\nFrame,Sub Frame,X,Y,Z\n"
                              ",,deg,deg,deg\n1,0,1,2,3\n2,0,1,2,3\n\n"
                              "Trajectories\n150\n,,Pat:LASI,,,Pat:RASI,,,Pat:LHEE,,\n"

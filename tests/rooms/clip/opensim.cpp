@@ -94,6 +94,16 @@ void the_header_of_trc_is_compared(void**) {
     assert_true(still.values(4, 0) == 7);
 }
 
+/// Above each of its columns, with the axis.
+void names_repeated_in_trc(void**) {
+    const std::string names =
+        "Frame#\tTime\tLeft Hip_X\tLeft Hip_Y\tLeft Hip_Z\tToe_X\tToe_Y\tToe_Z\n";
+    check_walk(parse(trc_keys + "50\t50\t3\t2\tmm\n" + names + trc_rows, Format::trc));
+    // The rate may be that of the times only.
+    check_walk(
+        parse("PathFileType\t4\nNumFrames\tNumMarkers\n3\t2\n" + names + trc_rows, Format::trc));
+}
+
 void wrong_trc(void**) {
     ASSERT_FAILS(Status::format, "begins with PathFileType", parse("hello\n", Format::trc));
     ASSERT_FAILS(Status::format, "no line with Frame#", parse(trc_keys, Format::trc));
@@ -186,6 +196,7 @@ int main() {
         cmocka_unit_test(markers),
         cmocka_unit_test(dialects_of_trc),
         cmocka_unit_test(the_header_of_trc_is_compared),
+        cmocka_unit_test(names_repeated_in_trc),
         cmocka_unit_test(wrong_trc),
         cmocka_unit_test(coordinates),
         cmocka_unit_test(dialects_of_mot),

@@ -38,6 +38,11 @@ void triples_of_names_are_points(void**) {
     assert_false(names_points({"max", "may"}) || names_points({"relax", "relay", "relaz"}));
     assert_false(names_points({"hip_x", "hip_y", "hip_z", "angle"})); // one point, something else
     assert_true(names_points({"heel_x [mm]", "heel_y [mm]", "heel_z [mm]"}));
+    assert_true(unit_of("heel_x_pixels") == "pixels");
+    // The right and the left ankle; without the left one, rotations.
+    assert_true(
+        names_points({"toe_x", "toe_y", "ankle_rx", "ankle_ry", "ankle_lx", "ankle_ly"}, 2));
+    assert_false(names_points({"toe_x", "toe_y", "ankle_rx", "ankle_ry", "hip_x", "hip_y"}, 2));
     assert_true(names_points({"x_heel", "y_heel", "z_heel", "x_toe", "y_toe", "z_toe"}));
     assert_true(names_points({"x1", "y1", "z1", "x2", "y2", "z2"}));
     assert_true(names_points({"X.heel (m)", "Y.heel (m)", "X.toe (m)", "Y.toe (m)"}, 2));
