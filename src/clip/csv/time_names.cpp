@@ -30,7 +30,7 @@ bool is_one_of(std::string_view word, std::initializer_list<std::string_view> wo
 }
 
 /// Seconds; 0 for no unit. Empty if the word is none.
-std::optional<double> unit_of(std::string_view word) {
+std::optional<double> seconds_of(std::string_view word) {
     struct Unit {
         std::string_view name;
         double seconds;
@@ -75,7 +75,7 @@ bool counts(std::string_view name, std::string_view what) {
 } // namespace
 
 bool is_time_unit(std::string_view word) {
-    return unit_of(to_lower(word)).value_or(0) > 0;
+    return seconds_of(to_lower(word)).value_or(0) > 0;
 }
 
 std::optional<TimeName> time_name(std::string_view column) {
@@ -89,7 +89,7 @@ std::optional<TimeName> time_name(std::string_view column) {
         if (!name.starts_with(word))
             continue;
         const bool letter = word == "t";
-        const auto unit = unit_of(std::string_view(name).substr(word.size()));
+        const auto unit = seconds_of(std::string_view(name).substr(word.size()));
         if (unit && !(letter && *unit == 60)) // tmin is a least temperature
             return TimeName{*unit, letter};
     }
@@ -101,7 +101,7 @@ std::optional<double> unit_after(std::string_view column) {
         return std::nullopt;
     const std::string_view name = trim(column);
     const std::size_t place = name.find_last_of("_ .([");
-    const auto unit = unit_of(squashed(place == name.npos ? name : name.substr(place)));
+    const auto unit = seconds_of(squashed(place == name.npos ? name : name.substr(place)));
     const bool is_bracket = name.ends_with(')') || name.ends_with(']');
     if (unit && *unit > 0)
         return unit;
