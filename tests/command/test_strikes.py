@@ -129,6 +129,15 @@ class Strikes(CommandTest):
         self.assert_at([step["end_s"] for step in found["steps"]], left + late, 0.01)
         self.assertRegex(self.notes(found)[0], "is at a foot strike, .*of no stated side, .*of no stated")
 
+    def test_feet_of_a_body_without_sides(self):
+        _, left, right = long_walk()
+        events = [(t, "FS", "General") for t in left + right]
+        found = self.found(events, names=[f"m{i}" for i in range(len(JOINTS))])
+        self.assertGreaterEqual(len(found["cycles"]), CYCLES - 1)
+        self.assert_at([cycle["begin_s"] for cycle in found["cycles"]], left + right, 0.01)
+        self.assertEqual({(cycle["side"], cycle["side_name"]) for cycle in found["cycles"]}, {(None, None)})
+        self.assertEqual(found["steps"], [])
+
     def test_the_side_of_the_present_borders_comes_first(self):
         _, first, second = long_walk()
         swap = {"Left": "Right", "Right": "Left"}

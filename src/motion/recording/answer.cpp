@@ -46,15 +46,17 @@ std::vector<double> energy_of(const Work& work, const Draft& draft) {
     return energy;
 }
 
-/// How all cycles divide into steps: at the strikes of the other foot, if they are known.
+/// How all cycles divide into steps: at the strikes of the other foot, if it is known which foot
+/// that is.
 Halves halves_of_draft(const Signal& signal, const Draft& draft) {
     const std::vector<Interval> cycles = draft.cycles();
     std::vector<double> middles;
     for (const CyclicStretch& cut : draft.stretches)
         std::ranges::copy(cut.middles, std::back_inserter(middles));
-    if (middles.size() == cycles.size())
+    const int side = draft.stretches.front().side;
+    if (side >= 0 && middles.size() == cycles.size())
         return halves_at(middles, cycles);
-    return halves_of(signal, cycles, draft.stretches.front().side);
+    return halves_of(signal, cycles, side);
 }
 
 void append_cyclic(Work& work, const Draft& draft, Segment& segment) {
