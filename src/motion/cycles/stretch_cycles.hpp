@@ -54,7 +54,8 @@ bool may_follow(const CyclicStretch& before, const CyclicStretch& after);
 struct StillRows {
     const std::vector<Rows>& rests;
     const std::vector<Rows>& pauses;
-    const std::vector<Rows>& holes; ///< parts of both, in which nobody knows whether it does
+    const std::vector<Rows>& holes; ///< parts of both, in which nobody knows whether it does;
+                                    ///< ascending and disjoint
 };
 
 /// The cycles of the stretch, which may grow to the rows `within` of its part.

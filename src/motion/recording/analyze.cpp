@@ -127,14 +127,15 @@ Recording analyze(ConstMatrixView samples, double fps, const Options& options,
     std::vector<Rows> rests = find_rests(signal);
     Pauses pauses = find_pauses(signal, rests);
     add_holes(holes, rests, pauses);
+    const StillRows still{rests, pauses.rests, holes};
     const auto poll_at = [&](double fraction) {
         return [&progress, fraction] { progress.report(Stage::units, fraction); };
     };
     const KernelFeatures features(signal, options.rotations, poll_at(0));
     const auto drafts_at = [&](std::int64_t more) {
         const std::vector<Part> parts =
-            divide(signal, {seconds > shortest_divided_s ? &features : nullptr, more, holes},
-                   {rests, pauses.rests, holes}, options.periods, progress);
+            divide(signal, {seconds > shortest_divided_s ? &features : nullptr, more}, still,
+                   options.periods, progress);
         std::vector<Draft> drafts =
             make_drafts(signal, parts, pauses, features.of_shapes(), poll_at(1));
         merge_shapes(features, parts, drafts);
@@ -152,7 +153,7 @@ Recording analyze(ConstMatrixView samples, double fps, const Options& options,
     const Context context{signal, features, pauses};
     if (options.strikes) {
         const Recording first = answer_of(context, drafts, samples, options, poll_at(1));
-        begin_all_at_strikes(signal, options.strikes(first), {rests, pauses.rests, holes}, drafts);
+        begin_all_at_strikes(signal, options.strikes(first), still, drafts);
     }
     return answer_of(context, std::move(drafts), samples, options, poll_at(1));
 }

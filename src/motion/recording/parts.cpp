@@ -171,21 +171,21 @@ std::int64_t moved_to_rest(const Signal& signal, const std::vector<Rows>& rests,
 
 /// The parts without their cycles. The rows between a hole and a border of behaviors next to it are
 /// too few for a behavior of their own.
-std::vector<Part> undecided(const Signal& signal, const Borders& borders,
-                            const std::vector<Rows>& rests, RowProgress& progress) {
+std::vector<Part> undecided(const Signal& signal, const Borders& borders, const StillRows& still,
+                            RowProgress& progress) {
     std::vector<std::int64_t> rows{0};
     if (borders.features != nullptr)
         for (const std::int64_t row :
              behavior_borders(*borders.features, borders.more, progress.poll()))
-            rows.push_back(moved_to_rest(signal, rests, row));
+            rows.push_back(moved_to_rest(signal, still.rests, row));
     rows.push_back(signal.rows());
     const auto beside = static_cast<std::int64_t>(beside_hole_s * signal.rate);
-    for (const Rows& hole : borders.holes)
+    for (const Rows& hole : still.holes)
         std::erase_if(rows, [&](std::int64_t row) {
             return row > 0 && row < signal.rows() && row > hole.begin - beside &&
                    row < hole.end + beside;
         });
-    for (const Rows& hole : borders.holes)
+    for (const Rows& hole : still.holes)
         rows.insert(rows.end(), {hole.begin, hole.end});
     std::ranges::sort(rows);
     std::vector<Part> parts;
@@ -194,7 +194,7 @@ std::vector<Part> undecided(const Signal& signal, const Borders& borders,
             continue;
         Part part;
         part.rows = {rows[i], rows[i + 1]};
-        part.is_hole = std::ranges::find(borders.holes, part.rows) != borders.holes.end();
+        part.is_hole = std::ranges::find(still.holes, part.rows) != still.holes.end();
         parts.push_back(std::move(part));
     }
     return parts;
@@ -224,7 +224,7 @@ std::vector<Part> divide(const Signal& signal, const Borders& borders, const Sti
                          const PeriodRange& periods, const Progress& progress) {
     RowProgress reported(progress, signal.rows());
     std::vector<Part> parts;
-    for (const Part& part : undecided(signal, borders, still.rests, reported))
+    for (const Part& part : undecided(signal, borders, still, reported))
         parts.push_back(part.is_hole ? part : decide(signal, part.rows, still, periods, reported));
     if (borders.features == nullptr)
         return parts;

@@ -2,7 +2,6 @@
 // A recording divided where its behavior changes, with the cycles of each part.
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "base/progress.hpp"
@@ -27,11 +26,10 @@ struct Part {
 struct Borders {
     const KernelFeatures* features = nullptr; ///< null: not divided by behavior
     std::int64_t more = 0;                    ///< borders to add to those that are found
-    /// In ascending order, disjoint. Each is a separate part without cycles, so that the rows on
-    /// one side of a hole get the result that they would get alone.
-    std::span<const Rows> holes;
 };
 
+/// Each hole is a part without cycles, so that the rows on one side of it get the result that they
+/// would get alone.
 std::vector<Part> divide(const Signal& signal, const Borders& borders, const StillRows& still,
                          const PeriodRange& periods, const Progress& progress);
 

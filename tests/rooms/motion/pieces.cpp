@@ -234,7 +234,7 @@ void drafts_poll_between_repetitions(void**) {
     const auto rests = find_rests(signal);
     const Pauses pauses = find_pauses(signal, rests);
     const auto parts =
-        divide(signal, {&features, 0, {}}, {rests, pauses.rests, {}}, {}, Progress());
+        divide(signal, {&features, 0}, {rests, pauses.rests, {}}, {}, Progress());
     int polls = 0;
     const auto drafts = make_drafts(signal, parts, pauses, false, [&] { ++polls; });
     assert_true(std::ranges::any_of(drafts, [](const Draft& draft) {
