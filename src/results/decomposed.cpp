@@ -217,7 +217,7 @@ void set_segments(const Recording& found, const SourceFrames& frames, Decomposed
     frames.cover_recorded(made.segments);
 }
 
-/// The file's foot strikes in samples, by the phase of an answer without them.
+/// The strikes in samples, with the numbers of the sides.
 std::vector<motion::Strikes> in_samples(const FoundStrikes& found, const SourceFrames& frames,
                                         Side side_one) {
     std::vector<motion::Strikes> all;

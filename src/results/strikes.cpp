@@ -67,13 +67,19 @@ struct Scatter {
     double mean = 0, deviation = 0;
 };
 
-Scatter scatter_of(std::vector<phase::Mark> marks) {
-    double cosine = 0, sine = 0, squares = 0;
+/// The mean place in the cycle, -0.5 to 0.5, or in one of equal parts of it.
+double mean_place(const std::vector<phase::Mark>& marks, double parts = 1) {
+    double cosine = 0, sine = 0;
     for (const phase::Mark& mark : marks) {
-        cosine += std::cos(turn * mark.phase);
-        sine += std::sin(turn * mark.phase);
+        cosine += std::cos(parts * turn * mark.phase);
+        sine += std::sin(parts * turn * mark.phase);
     }
-    const double mean = std::atan2(sine, cosine) / turn;
+    return std::atan2(sine, cosine) / (parts * turn);
+}
+
+Scatter scatter_of(std::vector<phase::Mark> marks) {
+    const double mean = mean_place(marks);
+    double squares = 0;
     for (phase::Mark& mark : marks) {
         const double off = mark.phase - mean - std::round(mark.phase - mean);
         mark.phase = mean + off;
@@ -83,15 +89,10 @@ Scatter scatter_of(std::vector<phase::Mark> marks) {
     return {std::move(marks), mean, std::sqrt(squares / count)};
 }
 
-/// Marks of both feet, if they may be: those half a cycle apart. The first are nearer to where the
-/// cycles begin, after it.
+/// Marks of one foot, and of the other, half a cycle later, if there are any. The first foot is the
+/// one that strikes first after the cycles begin.
 std::array<std::vector<phase::Mark>, 2> by_foot(const std::vector<phase::Mark>& marks) {
-    double cosine = 0, sine = 0;
-    for (const phase::Mark& mark : marks) {
-        cosine += std::cos(2 * turn * mark.phase);
-        sine += std::sin(2 * turn * mark.phase);
-    }
-    const double mean = std::atan2(sine, cosine) / (2 * turn);
+    const double mean = mean_place(marks, 2);
     const double first = mean < 0 ? mean + 0.5 : mean;
     std::array<std::vector<phase::Mark>, 2> feet;
     for (const phase::Mark& mark : marks) {
