@@ -133,13 +133,16 @@ Marks labels_in(const std::string& table, const std::string& path, const std::st
     return not_empty(std::move(labels), path, clip);
 }
 
+std::string name_of(const stltsa::FileEvent& event) {
+    return event.context.empty() ? event.label : event.context + ' ' + event.label;
+}
+
 Marks labels_in(const std::vector<stltsa::FileEvent>& events, const std::string& path,
                 const std::string& clip, double fps) {
     check_times(path, clip, fps);
     Marks labels;
     for (const stltsa::FileEvent& event : events)
-        labels[event.context.empty() ? event.label : event.context + ' ' + event.label].push_back(
-            event.seconds * fps);
+        labels[name_of(event)].push_back(event.seconds * fps);
     return not_empty(std::move(labels), path, clip);
 }
 

@@ -25,7 +25,10 @@ bool is_label_file(const std::string& mark);
 Marks labels_in(const std::string& table, const std::string& path, const std::string& clip,
                 double fps);
 
-/// The same of the events of a C3D file, named by context and label: "Left Foot Strike".
+/// Context and label, as in "Left Foot Strike".
+std::string name_of(const stltsa::FileEvent& event);
+
+/// The same of the events of a C3D file.
 Marks labels_in(const std::vector<stltsa::FileEvent>& events, const std::string& path,
                 const std::string& clip, double fps);
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "arguments/choices.hpp"
+#include "arguments/marks.hpp"
 #include "reports/report.hpp"
 #include "reports/table.hpp"
 #include "terminal/style.hpp"
@@ -57,7 +58,7 @@ std::string info_report(const stltsa::Clip& clip, const std::string& title) {
         lines.add("unit", one_line(unit));
     std::map<std::string, std::int64_t> events;
     for (const stltsa::FileEvent& event : clip.events())
-        ++events[event.context.empty() ? event.label : event.context + ' ' + event.label];
+        ++events[name_of(event)];
     for (const auto& [name, count] : events)
         lines.add(name == events.begin()->first ? "events" : "",
                   fmt::format("{} of {}", count, one_line(name)));
