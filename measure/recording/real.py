@@ -113,11 +113,6 @@ def moves(run):
 def markers(run):
     run.table.title("Markers: all annotated strides but one at each end; no standing between heel "
                     "strikes")
-    try:
-        import ezc3d  # noqa: F401 (its reader needs it)
-    except ImportError:
-        run.table.figure("no ezc3d (--peers installs it)", "skipped")
-        return
     for path in sorted((run.data / "markers").glob("*.c3d")):
         clip = run.stltsa.read_clip(path)
         answer = run.answer(clip)
