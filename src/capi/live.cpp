@@ -73,7 +73,7 @@ void check_call(double seconds, const stltsa_live_frame* frame) {
     constexpr double most = 1e12; // beyond it frames would share their times
     if (!(std::abs(seconds) <= most))
         fail(Status::argument,
-             "seconds is {}; it must be within -1e12 and 1e12: count from the first frame",
+             "seconds is {}; it must be between -1e12 and 1e12: count from the first frame",
              seconds);
     capi::check_size(required(frame, "frame").size, "frame", "stltsa_live_frame");
 }

@@ -90,9 +90,11 @@ struct Unit {
     double end = 0;
 };
 
+/// The reason of a rest that is a hole.
+inline constexpr std::string_view nothing_recorded = "nothing recorded";
+
 /// Samples [begin, end) of which nothing is known, because most of the body was not recorded. They
-/// become a rest with this reason. An empty one only divides, where a clip was cut.
-constexpr std::string_view nothing_recorded = "nothing recorded";
+/// become a rest. An empty one only divides, where a clip was cut.
 struct Hole {
     double begin = 0;
     double end = 0;

@@ -113,8 +113,8 @@ const argumentWord = text => shellWord(text.startsWith("-") ? "./" + text : text
 const { name: clipName, pieces, flags } = data.source; // the clip may be a stretch of its file, or several
 const cut = pieces.length > 0;
 const clipWord = () => argumentWord(clipName || "CLIP");
-// Only Python reads these formats.
-const foreign = /\.(npz)$/i.test(clip.path || "");
+// Only Python reads this format.
+const foreign = /\.npz$/i.test(clip.path || "");
 // Frames of the clip as stretches of its file.
 function stretchWords(begin, end) {
   if (begin <= 0 && end >= frames) return clipWord();

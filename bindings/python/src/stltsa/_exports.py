@@ -264,9 +264,10 @@ def save_c3d(clip: Clip, path: Path) -> None:
     """Write the points of a clip and its events."""
     stated = clip.facts
     values: Any = _positions(clip) if stated["features"] == "points" else np.empty(0)
-    if values.ndim != 3 or values.shape[2] != 3 or not clip.fps:
+    in_space = values.ndim == 3 and values.shape[2] == 3
+    if not in_space or not clip.fps:
         text = f"{path}: a C3D file holds points in space and their frame rate, and this clip "
-        lack = "has no frame rate" if values.ndim == 3 and values.shape[2] == 3 else "has none"
+        lack = "has no frame rate" if in_space else "has none"
         raise UnsupportedError(text + lack, lib.STLTSA_E_UNSUPPORTED, "STLTSA_E_UNSUPPORTED")
     file = readers.extra("ezc3d", "c3d").c3d()
     point = file["parameters"]["POINT"]

@@ -209,7 +209,7 @@ class Clip(Described):
 
     @property
     def format(self) -> str:
-        """``"bvh"``, ``"amc"``, ``"csv"``, ``"npy"``, ``"c3d"``; matrix, points, skeleton."""
+        """``"bvh"``, ``"csv"``, ``"c3d"``, ...; of arrays: matrix, points or skeleton."""
         return _FORMATS.get(lib.stltsa_clip_format(self._handle), "unknown")
 
     @property
