@@ -183,6 +183,30 @@ void the_number_of_segments_may_be_given(void**) {
     }
 }
 
+/// Borders within rests make no segments in motion, so that more are added than are missing.
+void many_segments_are_found_between_rests(void**) {
+    Random random(11);
+    Matrix samples(static_cast<std::int64_t>(80 * fps), 4);
+    double place[4] = {}, speed[4] = {};
+    for (std::int64_t i = 0; i < samples.rows(); ++i) {
+        const double t = static_cast<double>(i) / fps;
+        const double size = std::fmod(t, 20) < 10 ? 4 : 1;
+        for (std::int64_t c = 0; c < 4; ++c) {
+            speed[c] += 0.3 * random.symmetric() - 0.03 * speed[c] - 0.002 * place[c];
+            if (std::fmod(t, 8) < 2)
+                speed[c] = 0;
+            place[c] += size * speed[c] / fps;
+            samples(i, c) = place[c] + 0.001 * random.symmetric();
+        }
+    }
+    Options options;
+    for (const std::int64_t wanted : {43, 46, 49, 52}) {
+        options.segments = wanted;
+        assert_int_equal(moving_kinds(analyze(samples.view(), fps, options, Progress())).size(),
+                         wanted);
+    }
+}
+
 /// White noise is measured, so that standing stays standing.
 void rests_are_found_in_noise(void**) {
     const Recorder recorder =
@@ -351,6 +375,7 @@ int main() {
         cmocka_unit_test(a_closed_clip_is_one_cycle),
         cmocka_unit_test(strides_count_if_the_longest_lag_gives_no_cycle),
         cmocka_unit_test(the_number_of_segments_may_be_given),
+        cmocka_unit_test(many_segments_are_found_between_rests),
         cmocka_unit_test(rests_are_found_in_noise),
         cmocka_unit_test(repetitions_with_a_short_pause_are_counted),
         cmocka_unit_test(a_swaying_body_rests),
