@@ -2,14 +2,13 @@
 #include "clip/features/gaps.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "base/progress.hpp"
 
 namespace stltsa::clip {
 namespace {
 
-/// Frames a second, if the clip does not give them.
-constexpr double usual_rate = 100;
 /// The body is there in frames with at least this share of the usual number of groups. With a half,
 /// the legs of somebody who comes near a camera would not count before the arms are seen, nor one
 /// of two people before the other comes.
@@ -113,13 +112,15 @@ std::vector<Frames> find_holes(const GapLists& gaps, const std::vector<std::int6
     return holes;
 }
 
-Frames between_ends(const std::vector<Frames>& holes, std::int64_t frames) {
-    Frames kept{0, frames};
-    if (!holes.empty() && holes.front().begin == 0)
-        kept.begin = holes.front().end;
-    if (!holes.empty() && holes.back().end == frames && kept.begin < frames)
-        kept.end = holes.back().begin;
-    return kept;
+/// Drops the groups that are missing in all of the frames.
+void drop_unseen(const GapLists& found, std::int64_t frames, Gaps& gaps) {
+    const auto is_unseen = [&](std::int64_t g) {
+        const std::vector<Gap>& of_group = found[static_cast<std::size_t>(g)];
+        return !of_group.empty() && of_group.front().count() == frames;
+    };
+    std::ranges::copy_if(gaps.seen, std::back_inserter(gaps.dropped), is_unseen);
+    std::ranges::sort(gaps.dropped);
+    std::erase_if(gaps.seen, is_unseen);
 }
 
 /// Sums, over the frames, the mean displacement of the groups that both frames have: the path of
@@ -169,6 +170,15 @@ void fill_gap(Matrix& rows, int width, const Gap& gap, const Matrix& path) {
 
 } // namespace
 
+Frames between_end_holes(const std::vector<Frames>& holes, std::int64_t frames) {
+    Frames kept{0, frames};
+    if (!holes.empty() && holes.front().begin == 0)
+        kept.begin = holes.front().end;
+    if (!holes.empty() && holes.back().end == frames)
+        kept.end = holes.back().begin;
+    return kept;
+}
+
 Gaps fill_gaps(Matrix& rows, int width, GapRule rule, double fps,
                const std::function<void()>& poll) {
     PacedPoll polls(poll);
@@ -177,10 +187,11 @@ Gaps fill_gaps(Matrix& rows, int width, GapRule rule, double fps,
     GapLists found = find_gaps(rows, width, polls);
     choose_groups(found, rows.rows(), gaps);
     gaps.holes = find_holes(found, gaps.seen, rows.rows(), longest);
-    gaps.kept = between_ends(gaps.holes, rows.rows());
+    gaps.kept = between_end_holes(gaps.holes, rows.rows());
     if (gaps.kept.count() < rows.rows()) {
         rows = copied(rows.view().block(gaps.kept.begin, gaps.kept.count()));
         found = find_gaps(rows, width, polls);
+        drop_unseen(found, rows.rows(), gaps);
     }
     for (const std::int64_t g : gaps.dropped)
         for (std::int64_t i = 0; i < rows.rows(); ++i) {

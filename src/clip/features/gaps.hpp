@@ -22,6 +22,9 @@ enum class GapRule : std::int32_t {
 /// no more than noise does: 1 to 3 ms at the median (measure/gaps).
 constexpr double longest_filled_s = 0.25;
 
+/// Frames a second, if the clip does not give them.
+constexpr double usual_rate = 100;
+
 /// Frames [begin, end) of a clip.
 struct Frames {
     std::int64_t begin = 0;
@@ -46,9 +49,12 @@ struct Gaps {
     /// Where more than half of the groups are missing for longer than longest_filled_s: nothing is
     /// known of the body.
     std::vector<Frames> holes;
-    Frames kept;                ///< the frames between a hole at the start and one at the end
+    Frames kept;                ///< between_end_holes(): those that fill_gaps() leaves
     std::vector<Gap> predicted; ///< gaps for predict_gaps(), in frames after kept.begin
 };
+
+/// The frames after a hole at the start and before one at the end. A hole is never the whole clip.
+Frames between_end_holes(const std::vector<Frames>& holes, std::int64_t frames);
 
 /// Takes the frames before the body comes and after it has left from the rows. In the others, fills
 /// all gaps linearly over time, and with the nearest value at the ends. Sets the columns of dropped

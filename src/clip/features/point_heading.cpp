@@ -14,7 +14,7 @@ namespace {
 constexpr double steadiest = 1e-3;
 /// Each point is paired with so many others at most, in so many frames, so that the cost is linear.
 constexpr std::size_t most_partners = 64;
-constexpr std::int64_t most_frames = 200;
+constexpr std::int64_t most_compared = 200;
 /// Below this share of its median length a match gives no heading.
 constexpr double least_match = 0.3;
 /// Smallest share of the variance across the plane in which the points spread most.
@@ -108,7 +108,7 @@ struct Link {
 
 /// Frames that tell about the whole recording, in equal steps.
 std::vector<Shape> some_frames(const Shapes& shapes) {
-    const std::int64_t step = 1 + (shapes.frames() - 1) / most_frames;
+    const std::int64_t step = 1 + (shapes.frames() - 1) / most_compared;
     std::vector<Shape> some;
     for (std::int64_t i = 0; i < shapes.frames(); i += step)
         some.push_back(shapes.shape(i));

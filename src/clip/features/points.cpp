@@ -26,9 +26,6 @@ constexpr double most_travel = 0.5;
 /// Repetitions of the prediction of gaps, each with a better path of the mean.
 constexpr int path_rounds = 2;
 
-/// Frames a second, if the clip does not give them.
-constexpr double usual_rate = 100;
-
 using Chosen = std::vector<std::int64_t>;
 
 /// frames x 3.

@@ -23,7 +23,7 @@ constexpr double ridge = 1e-4;
 /// A prediction is from at most so many groups. Bodies have fewer markers.
 constexpr std::int64_t most_near = 100;
 /// Frames that are predicted at once.
-constexpr std::int64_t most_frames = 1000;
+constexpr std::int64_t most_at_once = 1000;
 
 /// Some columns of the rows.
 struct Columns {
@@ -110,7 +110,7 @@ struct Pattern {
 std::vector<Pattern> patterns_of(const std::vector<Gap>& gaps) {
     std::vector<std::int64_t> borders;
     for (const Gap& gap : gaps) {
-        for (std::int64_t frame = gap.begin; frame < gap.end; frame += most_frames)
+        for (std::int64_t frame = gap.begin; frame < gap.end; frame += most_at_once)
             borders.push_back(frame);
         borders.push_back(gap.end);
     }

@@ -21,13 +21,8 @@ std::int64_t dropped_frames(const Clip& clip, const Matrix& features, bool drop_
 /// The frames of which samples are taken: neither a T-pose nor those before the body comes or after
 /// it has left.
 Frames used_frames(const Clip& clip, const FeatureRows& made, bool drop_tpose) {
-    Frames used{dropped_frames(clip, made.rows, drop_tpose), made.rows.rows()};
-    for (const Frames& hole : made.holes) {
-        if (hole.begin == 0)
-            used.begin = hole.end;
-        else if (hole.end == used.end)
-            used.end = hole.begin;
-    }
+    Frames used = between_end_holes(made.holes, made.rows.rows());
+    used.begin = std::max(used.begin, dropped_frames(clip, made.rows, drop_tpose));
     return used;
 }
 

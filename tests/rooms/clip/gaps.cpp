@@ -87,6 +87,20 @@ void frames_without_the_body_do_not_count(void**) {
     assert_true(fill_gaps(two, 3, GapRule::fill, 100).kept.count() == 1000);
 }
 
+/// Points that are there only while most others are missing have no frame in which to take part.
+void points_seen_only_in_a_hole_are_dropped(void**) {
+    for (const bool at_start : {false, true}) {
+        const Frames early{0, 150}, late{150, 300};
+        Matrix all = seen_in(300, {{4, at_start ? early : late}, {6, at_start ? late : early}});
+        const Gaps gaps = fill_gaps(all, 3, GapRule::fill, 100);
+        assert_true(gaps.kept == (at_start ? late : early));
+        assert_true(gaps.seen == (std::vector<std::int64_t>{4, 5, 6, 7, 8, 9}));
+        assert_true(gaps.dropped == (std::vector<std::int64_t>{0, 1, 2, 3}));
+        assert_true(gaps.filled.empty() && gaps.frames == 0 && gaps.predicted.empty());
+        assert_true(all(0, 0) == 0 && all(0, 12) == 1);
+    }
+}
+
 void near_groups_are_near(void**) {
     // 250 points on a line, in another order.
     Matrix line(4, 750);
@@ -144,6 +158,7 @@ int main() {
         cmocka_unit_test(gaps_are_filled_linearly),
         cmocka_unit_test(half_of_the_frames_are_enough),
         cmocka_unit_test(frames_without_the_body_do_not_count),
+        cmocka_unit_test(points_seen_only_in_a_hole_are_dropped),
         cmocka_unit_test(near_groups_are_near),
         cmocka_unit_test(many_points_are_predicted_from_near_ones),
     };
