@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <iterator>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace stltsa::clip {
@@ -15,7 +17,8 @@ constexpr double steadiest = 1e-3;
 /// Each point is paired with so many others at most, in so many frames, so that the cost is linear.
 constexpr std::size_t most_partners = 64;
 constexpr std::int64_t most_compared = 200;
-/// Below this share of its median length a match gives no heading.
+/// Below this share of its median, the length of a match gives no heading, nor does the size of a
+/// shape say how the body is built.
 constexpr double least_match = 0.3;
 /// Smallest share of the variance across the plane in which the points spread most.
 constexpr double least_depth = 1e-3;
@@ -88,11 +91,10 @@ class Shapes {
     std::int64_t first_, second_; ///< the horizontal axes, so that (first, second, up) is even
 };
 
-double median_length(std::vector<Flat> matches) {
-    const auto middle = matches.begin() + std::ssize(matches) / 2;
-    std::nth_element(matches.begin(), middle, matches.end(),
-                     [](Flat x, Flat y) { return std::abs(x) < std::abs(y); });
-    return std::abs(*middle);
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + std::ssize(values) / 2;
+    std::ranges::nth_element(values, middle);
+    return *middle;
 }
 
 /// The turn of a match, or the one before it if the match is too short to have one.
@@ -106,12 +108,17 @@ struct Link {
     double weight = 0;
 };
 
-/// Frames that tell about the whole recording, in equal steps.
+/// Frames that tell about the whole recording, in equal steps. Those in which the points are nearly
+/// above each other are left out: they say nothing about which lengths the body keeps.
 std::vector<Shape> some_frames(const Shapes& shapes) {
     const std::int64_t step = 1 + (shapes.frames() - 1) / most_compared;
     std::vector<Shape> some;
     for (std::int64_t i = 0; i < shapes.frames(); i += step)
         some.push_back(shapes.shape(i));
+    std::vector<double> sizes;
+    std::ranges::transform(some, std::back_inserter(sizes), norm);
+    const double least = least_match * least_match * median(sizes);
+    std::erase_if(some, [least](const Shape& shape) { return norm(shape) < least; });
     return some;
 }
 
@@ -206,9 +213,12 @@ bool remove_heading(Matrix& points, const std::vector<std::int64_t>& chosen, Axi
     const std::vector<Link> links = links_of(some, polls);
     const Shape reference = weighted(links, with_own_heading(mean_shape(some, links, polls)));
     std::vector<Flat> matches;
-    for (std::int64_t i = 0; i < shapes.frames(); ++i)
+    std::vector<double> lengths;
+    for (std::int64_t i = 0; i < shapes.frames(); ++i) {
         matches.push_back(match(shapes.shape(i), reference));
-    const double least = least_match * median_length(matches);
+        lengths.push_back(std::abs(matches.back()));
+    }
+    const double least = least_match * median(std::move(lengths));
     Flat turn{1, 0};
     for (std::int64_t i = 0; i < shapes.frames(); ++i) {
         turn = turn_of(matches[static_cast<std::size_t>(i)], least, turn);
