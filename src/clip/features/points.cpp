@@ -165,8 +165,8 @@ bool remove_heading_in_plane(Matrix& points, const Chosen& seen, PacedPoll& poll
 }
 
 /// Removes path and heading from points in space without gaps, and says so.
-void remove_way(const Clip& clip, const Chosen& seen, bool in_plane, std::optional<Axis> up,
-                PacedPoll& polls, FeatureRows& made) {
+void remove_way(const Clip& clip, const Chosen& seen, bool in_plane, Axis up, PacedPoll& polls,
+                FeatureRows& made) {
     if (std::ssize(seen) < least_points) {
         made.notes.push_back(format_text("path and heading of the points are kept: {} points have "
                                          "no shape, at least {} are needed",
@@ -176,8 +176,11 @@ void remove_way(const Clip& clip, const Chosen& seen, bool in_plane, std::option
     const std::int64_t values = made.rows.rows() * made.rows.cols();
     Matrix path = means(made.rows, seen);
     polls.did(values);
-    made.up = in_plane ? Axis::z : up ? *up : guessed_up(made.rows, seen, side_pairs(clip), path);
-    if (!up && !in_plane)
+    const bool is_guess = up == Axis::none && !in_plane;
+    made.up = in_plane   ? Axis::z
+              : is_guess ? guessed_up(made.rows, seen, side_pairs(clip), path)
+                         : up;
+    if (is_guess)
         made.notes.push_back(
             format_text("up axis guessed: {}; if it is another, set option up_axis",
                         "xyz"[static_cast<std::size_t>(made.up) - 1]));
@@ -214,9 +217,8 @@ Axis points_up(const Clip& clip) {
     return guessed_up(filled, gaps.seen, side_pairs(clip), means(filled, gaps.seen));
 }
 
-FeatureRows points(const Clip& clip, std::optional<Axis> requested, GapRule rule,
+FeatureRows points(const Clip& clip, std::optional<Axis> up, GapRule rule,
                    const std::function<void()>& poll) {
-    const auto up = requested || clip.up == Axis::none ? requested : std::optional(clip.up);
     PacedPoll polls(poll);
     const std::int64_t values = clip.frames() * clip.values.cols();
     const int width = point_columns(clip);
@@ -230,7 +232,7 @@ FeatureRows points(const Clip& clip, std::optional<Axis> requested, GapRule rule
     made.holes = gaps.holes;
     if (width == 2)
         made.rows = with_columns(made.rows, 2, 3);
-    remove_way(clip, gaps.seen, width == 2, up, polls, made);
+    remove_way(clip, gaps.seen, width == 2, up.value_or(clip.up), polls, made);
     polls.did(values);
     for (int round = 0; round < path_rounds && !gaps.predicted.empty(); ++round) {
         predict_gaps(made.rows, 3, gaps, poll);

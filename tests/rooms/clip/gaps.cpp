@@ -44,6 +44,21 @@ void gaps_are_filled_linearly(void**) {
             ASSERT_NEAR(all(i, c), c < 9 ? whole(i, c) : 0, 1e-12);
 }
 
+/// What one of ten points does alone is not what the body does.
+void the_body_stands_while_nearly_all_is_missing(void**) {
+    Matrix all(30, 30);
+    std::fill_n(all.data(), 30 * 30, 1.0);
+    for (std::int64_t i = 10; i < 20; ++i) {
+        std::fill_n(all.row(i), 3, 10.0);
+        std::fill_n(all.row(i) + 3, 27, gap);
+    }
+    const Gaps gaps = fill_gaps(all, 3, GapRule::fill, 100);
+    assert_true(gaps.filled.size() == 9 && gaps.holes.empty());
+    for (std::int64_t i = 10; i < 20; ++i)
+        for (std::int64_t c = 3; c < 30; ++c)
+            ASSERT_NEAR(all(i, c), 1, 1e-12);
+}
+
 void half_of_the_frames_are_enough(void**) {
     for (const std::int64_t missing : {5, 6, 10}) {
         Matrix all(10, 6);
@@ -156,6 +171,7 @@ void many_points_are_predicted_from_near_ones(void**) {
 int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(gaps_are_filled_linearly),
+        cmocka_unit_test(the_body_stands_while_nearly_all_is_missing),
         cmocka_unit_test(half_of_the_frames_are_enough),
         cmocka_unit_test(frames_without_the_body_do_not_count),
         cmocka_unit_test(points_seen_only_in_a_hole_are_dropped),
