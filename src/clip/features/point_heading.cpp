@@ -25,9 +25,9 @@ constexpr double least_depth = 1e-3;
 
 /// A vector in the horizontal plane; of length 1, a turn.
 using Flat = std::complex<double>;
-using Shape = std::vector<Flat>;
+using FlatShape = std::vector<Flat>;
 
-double norm(const Shape& shape) {
+double norm(const FlatShape& shape) {
     double sum = 0;
     for (const Flat point : shape)
         sum += std::norm(point);
@@ -35,7 +35,7 @@ double norm(const Shape& shape) {
 }
 
 /// Procrustes: its direction is the turn that brings a shape closest to the reference.
-Flat match(const Shape& shape, const Shape& reference) {
+Flat match(const FlatShape& shape, const FlatShape& reference) {
     Flat sum;
     for (std::size_t p = 0; p < shape.size(); ++p)
         sum += reference[p] * std::conj(shape[p]);
@@ -51,9 +51,9 @@ class Shapes {
 
     std::int64_t frames() const { return points_.rows(); }
 
-    Shape shape(std::int64_t frame) const {
+    FlatShape shape(std::int64_t frame) const {
         polls_.did(std::ssize(chosen_));
-        Shape points;
+        FlatShape points;
         points.reserve(chosen_.size());
         for (const std::int64_t p : chosen_)
             points.emplace_back(points_(frame, 3 * p + first_), points_(frame, 3 * p + second_));
@@ -61,7 +61,7 @@ class Shapes {
     }
 
     void turn(std::int64_t frame, Flat turn) {
-        const Shape from = shape(frame);
+        const FlatShape from = shape(frame);
         for (std::size_t k = 0; k < from.size(); ++k) {
             const Flat to = from[k] * turn;
             points_(frame, 3 * chosen_[k] + first_) = to.real();
@@ -73,7 +73,7 @@ class Shapes {
     bool have_heading(Axis up) const {
         double aa = 0, ab = 0, bb = 0, height = 0;
         for (std::int64_t i = 0; i < frames(); ++i) {
-            const Shape points = shape(i);
+            const FlatShape points = shape(i);
             for (std::size_t k = 0; k < points.size(); ++k) {
                 const double a = points[k].real(), b = points[k].imag();
                 const double h = points_(i, 3 * chosen_[k] + static_cast<std::int64_t>(up) - 1);
@@ -110,21 +110,22 @@ struct Link {
 
 /// Frames that tell about the whole recording, in equal steps. Those in which the points are nearly
 /// above each other are left out: they say nothing about which lengths the body keeps.
-std::vector<Shape> some_frames(const Shapes& shapes) {
+std::vector<FlatShape> some_frames(const Shapes& shapes) {
     const std::int64_t step = 1 + (shapes.frames() - 1) / most_compared;
-    std::vector<Shape> some;
+    std::vector<FlatShape> some;
     for (std::int64_t i = 0; i < shapes.frames(); i += step)
         some.push_back(shapes.shape(i));
     std::vector<double> sizes;
     std::ranges::transform(some, std::back_inserter(sizes), norm);
     const double least = least_match * least_match * median(sizes);
-    std::erase_if(some, [least](const Shape& shape) { return norm(shape) < least; });
+    std::erase_if(some, [least](const FlatShape& shape) { return norm(shape) < least; });
     return some;
 }
 
-Link weighed(std::size_t one, std::size_t other, const std::vector<Shape>& frames, double least) {
+Link weighed(std::size_t one, std::size_t other, const std::vector<FlatShape>& frames,
+             double least) {
     double sum = 0, squares = 0;
-    for (const Shape& frame : frames) {
+    for (const FlatShape& frame : frames) {
         const double square = std::norm(frame[other] - frame[one]);
         sum += std::sqrt(square);
         squares += square;
@@ -137,11 +138,11 @@ Link weighed(std::size_t one, std::size_t other, const std::vector<Shape>& frame
 /// Pairs of points, each weighted by the inverse variance of its horizontal length, which does not
 /// depend on the heading. Legs that swing against each other change the lengths between them, so
 /// their swing does not turn the body. With equal weights (the usual Procrustes match) it would.
-std::vector<Link> links_of(const std::vector<Shape>& frames, PacedPoll& polls) {
+std::vector<Link> links_of(const std::vector<FlatShape>& frames, PacedPoll& polls) {
     const std::size_t count = frames.front().size();
     const std::size_t step = 1 + (count - 2) / most_partners;
     double size = 0;
-    for (const Shape& frame : frames)
+    for (const FlatShape& frame : frames)
         size += norm(frame) / static_cast<double>(count * frames.size());
     std::vector<Link> links;
     for (std::size_t p = 0; p < count; ++p)
@@ -153,8 +154,8 @@ std::vector<Link> links_of(const std::vector<Shape>& frames, PacedPoll& polls) {
 }
 
 /// What to match points with, so that the sum over points is the weighted sum over pairs.
-Shape weighted(const std::vector<Link>& links, const Shape& shape) {
-    Shape sum(shape.size());
+FlatShape weighted(const std::vector<Link>& links, const FlatShape& shape) {
+    FlatShape sum(shape.size());
     for (const Link& link : links) {
         const Flat apart = link.weight * (shape[link.other] - shape[link.one]);
         sum[link.other] += apart;
@@ -165,16 +166,16 @@ Shape weighted(const std::vector<Link>& links, const Shape& shape) {
 
 /// The shape that the frames match best when each is turned to it: the first eigenvector of the
 /// sum of x x* W over the frames x, where W weights pairs (Kent 1994), by power iteration.
-Shape mean_shape(const std::vector<Shape>& frames, const std::vector<Link>& links,
-                 PacedPoll& polls) {
+FlatShape mean_shape(const std::vector<FlatShape>& frames, const std::vector<Link>& links,
+                     PacedPoll& polls) {
     constexpr int most_rounds = 100;
     constexpr double same = 1 - 1e-12;
-    Shape mean = *std::ranges::max_element(frames, {}, norm);
+    FlatShape mean = *std::ranges::max_element(frames, {}, norm);
     double like = 0;
     for (int round = 0; round < most_rounds && like < same; ++round) {
-        const Shape reference = weighted(links, mean);
-        Shape next(mean.size());
-        for (const Shape& frame : frames) {
+        const FlatShape reference = weighted(links, mean);
+        FlatShape next(mean.size());
+        for (const FlatShape& frame : frames) {
             polls.did(std::ssize(frame));
             const Flat turn = match(frame, reference);
             for (std::size_t p = 0; p < next.size(); ++p)
@@ -192,10 +193,10 @@ Shape mean_shape(const std::vector<Shape>& frames, const std::vector<Link>& link
 
 /// The shape in a heading of its own: from its first points to its last ones. Any other fixed
 /// direction would do.
-Shape with_own_heading(Shape shape) {
+FlatShape with_own_heading(FlatShape shape) {
     Flat sum;
     for (std::size_t p = 0; p < shape.size(); ++p)
-        sum += (static_cast<double>(p) - static_cast<double>(shape.size() - 1) / 2) * shape[p];
+        sum += static_cast<double>(p) * shape[p]; // their mean is at the origin
     const Flat turn = turn_of(std::conj(sum), 0, {1, 0});
     for (Flat& point : shape)
         point *= turn;
@@ -209,9 +210,9 @@ bool remove_heading(Matrix& points, const std::vector<std::int64_t>& chosen, Axi
     Shapes shapes(points, chosen, up, polls);
     if (!shapes.have_heading(up))
         return false;
-    const std::vector<Shape> some = some_frames(shapes);
+    const std::vector<FlatShape> some = some_frames(shapes);
     const std::vector<Link> links = links_of(some, polls);
-    const Shape reference = weighted(links, with_own_heading(mean_shape(some, links, polls)));
+    const FlatShape reference = weighted(links, with_own_heading(mean_shape(some, links, polls)));
     std::vector<Flat> matches;
     std::vector<double> lengths;
     for (std::int64_t i = 0; i < shapes.frames(); ++i) {

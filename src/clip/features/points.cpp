@@ -96,14 +96,14 @@ Axis guessed_up(const Matrix& points, const Chosen& chosen, const std::vector<Si
     const Vec3 way = travel(path);
     const Vec3 size = extent(points, chosen), apart = distance_of_sides(points, chosen, pairs);
     const double body = *std::ranges::max_element(size);
-    std::optional<std::size_t> upright;
-    const auto tall = [&](std::size_t axis) { return size[axis] - 2 * apart[axis]; };
-    for (const std::size_t axis : {1U, 2U, 0U})
-        if (way[axis] <= most_travel * body && (!upright || tall(axis) > tall(*upright)))
-            upright = axis;
-    if (!upright)
-        return largest({1 / way[0], 1 / way[1], 1 / way[2]});
-    return static_cast<Axis>(*upright + 1);
+    const double widest = *std::ranges::max_element(apart);
+    Vec3 upright{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        if (way[axis] <= most_travel * body)
+            upright[axis] = size[axis] + 2 * (widest - apart[axis]);
+    if (upright == Vec3{})
+        upright = {1 / way[0], 1 / way[1], 1 / way[2]};
+    return largest(upright);
 }
 
 void subtract(Matrix& points, const Chosen& chosen, const Matrix& path) {

@@ -84,8 +84,8 @@ std::string reason_of(const std::vector<Draft>& drafts, ConstMatrixView samples,
     if (best == nullptr)
         return "no period: nothing moves";
     std::string reason = drafts.size() == 1
-                             ? "no period: the motion " + best->reason
-                             : "no segment repeats: the most regular one " + best->reason;
+                             ? "no period: " + best->reason
+                             : "no segment repeats; of the most regular one: " + best->reason;
     if (!options.jump.empty())
         reason += format_text("; the pose jumps at {}: split the clip there, or repair the frame",
                               options.jump);

@@ -134,14 +134,14 @@ void set_reason(const Signal& signal, const std::vector<Part>& parts, Draft& dra
             }
         if (part.best_match >= least_match) {
             draft.candidate_period = part.best_lag_s * signal.rate;
-            draft.reason = format_text(
-                "does not repeat back to back: it resembles itself most after {:.2f} s, with a "
-                "quality of {:.2f} (1: it repeats)",
-                part.best_lag_s, part.best_match);
+            draft.reason = format_text("the motion does not repeat back to back: it resembles "
+                                       "itself most after {:.2f} s, with a "
+                                       "quality of {:.2f} (1: it repeats)",
+                                       part.best_lag_s, part.best_match);
         }
     }
     if (draft.reason.empty())
-        draft.reason = format_text("does not repeat at any lag within {:.2f} s",
+        draft.reason = format_text("the motion does not repeat at any lag within {:.2f} s",
                                    (draft.end - draft.begin) / signal.rate);
 }
 

@@ -87,7 +87,11 @@ void points_change_places(void**) {
     clip.values = stltsa::Matrix(1, 9);
     for (std::int64_t c = 0; c < 9; ++c)
         clip.values(0, c) = static_cast<double>(c + 1);
+    clip.events = {{0, "Foot Strike", "Left"}, {0, "RHS", ""}, {0, "Foot Off", "General"}};
     const Clip image = mirrored(clip, Axis::z); // x is reflected
+    assert_true(image.events[0].label == "Foot Strike" && image.events[0].context == "Right");
+    assert_true(image.events[1].label == "LHS" && image.events[1].context.empty());
+    assert_true(image.events[2].label == "Foot Off" && image.events[2].context == "General");
     const double expected[] = {-4, 5, 6, -1, 2, 3, -7, 8, 9};
     for (std::int64_t c = 0; c < 9; ++c)
         assert_true(image.values(0, c) == expected[c]);

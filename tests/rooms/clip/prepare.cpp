@@ -250,6 +250,8 @@ void samples_are_of_the_body(void**) {
     check_same(prepared.samples, expected.samples, 0);
     check_same(prepared.rows, expected.rows, 0);
     assert_true(prepared.holes == (std::vector<Frames>{{0, 301}, {701, 900}}));
+    clip.breaks = {100, 800}; // neither cuts the samples
+    check_same(prepare(clip, options).samples, expected.samples, 0);
     const Matrix all = smoothed_features(clip, Features::raw, Axis::none, options.smoothing, true);
     for (std::int64_t i = 0; i < 100; ++i)
         assert_true(all(301 + 4 * i, 0) == prepared.samples(i, 0));
