@@ -101,6 +101,7 @@ void other_bodies_are_refused(void**) {
     refused("different channels", changed([](auto& joints) {
                 joints[1].axis = {std::sqrt(0.5), std::sqrt(0.5), 0, 0};
             }));
+    refused("different channels", changed([](auto& joints) { joints[0].adds = true; }));
     refused("has 9 joints", changed([](auto& joints) { joints.pop_back(); }));
     Clip fixed = clip;
     fixed.skeleton->fixed_axes = true;
