@@ -261,14 +261,27 @@ void read_events(const File& file, std::int64_t first, double fps, Clip& clip) {
                                          labels.size() - clip.events.size(), labels.size()));
 }
 
+/// The subjects that the file states, with what labels of their points begin with.
+std::vector<Subject> subjects_in(const File& file) {
+    const auto names = file.parameter("subjects:names").texts;
+    auto prefixes = file.parameter("subjects:label_prefixes").texts;
+    const double used = file.number("subjects:used", static_cast<double>(names.size()));
+    prefixes.resize(names.size());
+    std::vector<Subject> subjects;
+    for (std::size_t s = 0; s < names.size() && static_cast<double>(s) < used; ++s)
+        if (!names[s].empty())
+            subjects.push_back({names[s], prefixes[s].empty() ? names[s] + ':' : prefixes[s]});
+    return subjects;
+}
+
 /// Leaves the points of one subject in `points`, and returns their names.
 std::vector<std::string> keep_subject(const std::vector<std::string>& names,
-                                      const std::string& wanted, const std::string& file,
+                                      const std::string& wanted, const File& file,
                                       std::vector<std::size_t>& points, Clip& clip) {
     std::vector<std::string> labels, chosen_labels;
     for (const std::size_t p : points)
         labels.push_back(names[p]);
-    auto chosen = take_subject(clip, labels, wanted, file);
+    auto chosen = take_subject(clip, labels, wanted, file.name(), subjects_in(file)).points;
     for (std::size_t& i : chosen) {
         chosen_labels.push_back(labels[i]);
         i = points[i];
@@ -294,7 +307,7 @@ Clip parse_c3d(std::string_view bytes, const std::string& name, const ReadOption
                               : "");
     if (!others.empty())
         clip.notes.push_back("beside the points, not read: " + others);
-    const std::vector<std::string> labels = keep_subject(names, options.subject, name, kept, clip);
+    const std::vector<std::string> labels = keep_subject(names, options.subject, file, kept, clip);
     clip.fps = rate_in(file, clip);
     clip.space = 3;
     clip.values = read_points(file, layout, kept, options.progress);

@@ -351,7 +351,8 @@ class HeadReader {
     }
 
     /// The names of all lines, one after another.
-    static std::string joined_name(const std::vector<Line>& levels, std::size_t c) {
+    static std::string joined_name(const std::vector<Line>& levels, std::size_t c,
+                                   std::vector<Subject>& subjects) {
         std::string name;
         char between = '_';
         for (const Line& level : levels) {
@@ -360,7 +361,10 @@ class HeadReader {
             if (!name.empty())
                 name += between;
             name += !name.empty() && is_axis(level[c]) ? level[c].substr(0, 1) : level[c];
-            between = is_labelled(level, names_subject) ? ':' : '_';
+            const bool is_subject = is_labelled(level, names_subject);
+            between = is_subject ? ':' : '_';
+            if (is_subject && (subjects.empty() || subjects.back().name != level[c]))
+                subjects.push_back({level[c], name + between});
         }
         return name;
     }
@@ -371,7 +375,7 @@ class HeadReader {
         const Line& last = levels.back();
         for (std::size_t c = 0; c < columns_; ++c)
             head.names.push_back(has_titles(levels, c) ? title_of(levels, c)
-                                                       : joined_name(levels, c));
+                                                       : joined_name(levels, c, head.subjects));
         set_units(head);
         if (equals_ignoring_case(last[0], "coords")) // DeepLabCut: above the frame numbers
             head.names[0].clear();

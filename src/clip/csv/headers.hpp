@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "clip/features/subject_names.hpp"
 #include "clip/text/text_cursor.hpp"
 
 namespace stltsa::clip {
@@ -17,6 +18,7 @@ struct Head {
     char separator = ',';
     double fps = 0; ///< 0: the lines do not say
     std::vector<std::string> notes;
+    std::vector<Subject> subjects; ///< of a line of individuals, once each
 };
 
 /// Reads such lines, and leaves the cursor before the first row of numbers. Empty, and the cursor

@@ -34,9 +34,10 @@ struct Point {
 /// What a file's columns are.
 struct Columns {
     std::vector<Point> points;
-    std::vector<std::string> quantities; ///< names of triples of other quantities
-    std::vector<std::string> others;     ///< names of columns that belong to no point
-    std::vector<std::string> names;      ///< of all columns, with the axis last
+    std::vector<std::string> quantities;  ///< names of triples of other quantities
+    std::vector<std::string> others;      ///< names of columns that belong to no point
+    std::vector<std::string> names;       ///< of all columns, with the axis last
+    std::vector<std::int64_t> of_subject; ///< all but those of other subjects
 };
 
 /// Collects columns by the names of their points. Points of the same name are told apart by their
@@ -207,16 +208,36 @@ Matrix columns_of(const Matrix& values, const std::vector<std::int64_t>& columns
     return result;
 }
 
-/// Keeps the points of one subject.
-void choose_subject(Columns& found, Clip& clip, const std::string& file,
-                    const ReadOptions& options) {
+/// Keeps the points of one subject. Columns of the others go, whatever they are.
+void choose_subject(Columns& found, Clip& clip, const std::string& file, const ReadOptions& options,
+                    const std::vector<Subject>& stated) {
     std::vector<std::string> names;
     for (const Point& point : found.points)
         names.push_back(point.name);
+    const SubjectPoints chosen = take_subject(clip, names, options.subject, file, stated);
+    std::vector<bool> goes;
+    for (const std::string& name : found.names)
+        goes.push_back(chosen.is_of_other(name));
+    const auto mark = [&](const Point& point, bool as) {
+        for (const std::int64_t column :
+             {point.columns[0], point.columns[1], point.columns[2], point.confidence})
+            if (column != none)
+                goes[static_cast<std::size_t>(column)] = as;
+    };
+    for (const Point& point : found.points)
+        mark(point, true);
     std::vector<Point> points;
-    for (const std::size_t i : take_subject(clip, names, options.subject, file))
+    for (const std::size_t i : chosen.points) {
+        mark(found.points[i], false);
         points.push_back(std::move(found.points[i]));
+    }
     found.points = std::move(points);
+    const auto is_of_other = [&](const std::string& name) { return chosen.is_of_other(name); };
+    std::erase_if(found.others, is_of_other);
+    std::erase_if(found.quantities, is_of_other);
+    for (std::size_t c = 0; c < goes.size(); ++c)
+        if (!goes[c])
+            found.of_subject.push_back(static_cast<std::int64_t>(c));
 }
 
 /// Makes the clip one of points, with x, y and z beside each other.
@@ -251,19 +272,35 @@ void keep_columns(Clip& clip, const std::vector<std::int64_t>& columns, const Pr
     clip.channel_names = std::move(names);
 }
 
-void take_points(Clip& clip, const std::string& file, const ReadOptions& options) {
+void take_columns_of_subject(Clip& clip, const std::string& file, const ReadOptions& options,
+                             const std::vector<Subject>& stated) {
+    std::vector<std::string> names;
+    for (const std::string& column : clip.channel_names) {
+        const std::string point = coordinate_of(column, AxisPlace::last).point;
+        names.push_back(point.empty() ? column : point);
+    }
+    const auto chosen =
+        take_subject(clip, names, options.subject, file, stated, Named::columns).points;
+    if (chosen.size() < names.size())
+        keep_columns(clip, {chosen.begin(), chosen.end()}, options.progress);
+}
+
+void take_points(Clip& clip, const std::string& file, const ReadOptions& options,
+                 const std::vector<Subject>& stated) {
     Columns found = find_points(clip.channel_names);
     if (found.points.empty() && !found.quantities.empty())
         clip.notes.push_back("columns named as coordinates are of other quantities than positions, "
                              "by their names or units: " +
                              in_quotes(found.quantities[0]));
     if (found.points.empty())
-        return;
-    choose_subject(found, clip, file, options);
+        return take_columns_of_subject(clip, file, options, stated);
+    choose_subject(found, clip, file, options, stated);
     if (const std::string why = doubt(found, file); !why.empty()) {
         clip.notes.push_back(format_text("{} columns are named as coordinates, but not taken as "
                                          "those of points: {}",
                                          coordinates_of(found), why));
+        if (found.of_subject.size() < found.names.size())
+            keep_columns(clip, found.of_subject, options.progress);
         return;
     }
     keep_points(found, clip, options);

@@ -74,6 +74,7 @@ class CsvReader {
             separator_ = head->separator;
             clip_.fps = head->fps;
             clip_.notes = std::move(head->notes);
+            subjects_stated_ = std::move(head->subjects);
             clip_.channel_names = std::move(head->names);
             columns_ = clip_.channel_names.size();
             rows_of_section(next_row(in_));
@@ -100,7 +101,7 @@ class CsvReader {
     }
 
     TableFacts facts() const {
-        TableFacts facts{lines_, {}};
+        TableFacts facts{lines_, {}, subjects_stated_};
         for (std::size_t c = 0; c < dated_.size(); ++c)
             if (dated_[c])
                 facts.dated.push_back(static_cast<std::int64_t>(c));
@@ -329,6 +330,7 @@ class CsvReader {
     std::string said_by_;     ///< the file that describes the columns
     std::optional<std::size_t> subject_column_;
     std::vector<std::string> subjects_; ///< of the rows
+    std::vector<Subject> subjects_stated_;
     bool may_end_early_ = false;
     bool may_have_text_ = true; ///< columns of text
     std::size_t padded_ = 0;    ///< cells that rows lack at their end
@@ -348,8 +350,9 @@ Clip parse_csv(std::string_view bytes, const std::string& name, const ReadOption
     Clip clip;
     CsvReader reader(in, clip, options);
     reader.read();
-    extract_time(clip, reader.facts(), name, options);
-    take_points(clip, name, options);
+    const TableFacts facts = reader.facts();
+    extract_time(clip, facts, name, options);
+    take_points(clip, name, options, facts.subjects);
     return clip;
 }
 

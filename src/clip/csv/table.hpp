@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "clip/clip.hpp"
+#include "clip/features/subject_names.hpp"
 #include "clip/text/text_cursor.hpp"
 
 namespace stltsa::clip {
@@ -15,6 +16,7 @@ namespace stltsa::clip {
 struct TableFacts {
     std::vector<std::int64_t> lines; ///< of each row, in the file
     std::vector<std::int64_t> dated; ///< columns of dates, in seconds; ascending
+    std::vector<Subject> subjects;   ///< that the header states
 };
 
 /// The names of columns, which the lines before a table say.

@@ -2,7 +2,6 @@
 #include "clip/features/subjects.hpp"
 
 #include <algorithm>
-#include <set>
 
 #include "clip/text/text_cursor.hpp"
 
@@ -13,24 +12,24 @@ std::string in_a_list(const std::vector<std::string>& subjects) {
     return list_in_quotes(subjects, 20);
 }
 
-/// Each subject once, in the order of the points.
-std::vector<std::string> subjects_in(const std::vector<std::string>& points) {
-    std::vector<std::string> subjects;
-    std::set<std::string_view> known;
-    for (const std::string& point : points)
-        if (const auto subject = subject_of(point);
-            !subject.empty() && known.insert(subject).second)
-            subjects.emplace_back(subject);
-    return subjects;
+/// What is not known of subjects, and taken for one.
+std::string doubt(const SubjectsOfNames& known, const std::vector<std::string>& subjects,
+                  const std::vector<Subject>& stated) {
+    if (known.doubtful)
+        return format_text("points of the same names are read as those of one subject: if they are "
+                           "of several, {}, choose one with option subject",
+                           in_a_list(subjects));
+    if (stated.size() < 2 || subjects.size() > 1)
+        return {};
+    std::vector<std::string> names;
+    for (const Subject& subject : stated)
+        names.push_back(subject.name);
+    return format_text("the file has {} subjects, {}, but does not say whose each point is: all "
+                       "are read as those of one",
+                       stated.size(), in_a_list(names));
 }
 
 } // namespace
-
-std::string_view subject_of(std::string_view point) {
-    const std::size_t colon = point.find(':');
-    const bool splits = colon != point.npos && !trim(point.substr(colon + 1)).empty();
-    return splits ? trim(point.substr(0, colon)) : std::string_view();
-}
 
 std::string one_subject(const std::vector<std::string>& subjects, const std::string& wanted,
                         const std::string& file) {
@@ -51,37 +50,52 @@ std::string subject_note(const std::vector<std::string>& subjects, const std::st
                        in_a_list(subjects));
 }
 
+bool SubjectPoints::is_of_other(std::string_view name) const {
+    return leadings.of(name).value_or(taken) != taken;
+}
+
 SubjectPoints points_of_subject(const std::vector<std::string>& names, const std::string& wanted,
-                                const std::string& file) {
-    const std::vector<std::string> subjects = subjects_in(names);
+                                const std::string& file, const std::vector<Subject>& stated,
+                                Named kind) {
+    const SubjectsOfNames known = subjects_of_names(names, stated, kind);
+    std::vector<std::string> subjects;
+    for (const Subject& subject : known.subjects)
+        subjects.push_back(subject.name);
     SubjectPoints found;
-    if (!subjects.empty())
+    const bool all =
+        subjects.empty() || (wanted.empty() && (known.doubtful || subjects.size() < 2));
+    if (all)
+        found.note = doubt(known, subjects, stated);
+    if (!subjects.empty() && !(all && known.doubtful))
         found.subject = one_subject(subjects, wanted, file);
-    const bool all = wanted.empty();
+    found.taken =
+        static_cast<std::size_t>(std::ranges::find(subjects, found.subject) - subjects.begin());
     std::size_t of_none = 0;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        const std::string_view subject = subject_of(names[i]);
-        if (all || subject == found.subject)
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (all || known.of[i] == found.taken)
             found.points.push_back(i);
         else
-            of_none += subject.empty() ? 1 : 0;
-    }
-    found.note = subject_note(subjects, found.subject);
+            of_none += known.of[i] ? 0 : 1;
+    for (std::size_t s = 0; s < subjects.size() && !all; ++s)
+        found.leadings.add(known.subjects[s].leading, s);
+    if (!all)
+        found.note = subject_note(subjects, found.subject);
     if (of_none > 0)
         found.note += format_text("{}{} points of no subject are left out",
                                   found.note.empty() ? "" : "; ", of_none);
     return found;
 }
 
-std::vector<std::size_t> take_subject(Clip& clip, const std::vector<std::string>& names,
-                                      const std::string& wanted, const std::string& file) {
-    SubjectPoints chosen =
-        points_of_subject(names, clip.subject.empty() ? wanted : std::string(), file);
-    if (clip.subject.empty())
-        clip.subject = std::move(chosen.subject);
+SubjectPoints take_subject(Clip& clip, const std::vector<std::string>& names,
+                           const std::string& wanted, const std::string& file,
+                           const std::vector<Subject>& stated, Named kind) {
+    const bool by_rows = !clip.subject.empty();
+    SubjectPoints chosen = points_of_subject(names, by_rows ? "" : wanted, file, stated, kind);
+    if (!by_rows)
+        clip.subject = chosen.subject;
     if (!chosen.note.empty())
-        clip.notes.push_back(std::move(chosen.note));
-    return std::move(chosen.points);
+        clip.notes.push_back(chosen.note);
+    return chosen;
 }
 
 } // namespace stltsa::clip

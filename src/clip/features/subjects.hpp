@@ -8,11 +8,10 @@
 #include <vector>
 
 #include "clip/clip.hpp"
+#include "clip/features/name_groups.hpp"
+#include "clip/features/subject_names.hpp"
 
 namespace stltsa::clip {
-
-/// The subject that the name of a point begins with: "Viktor" of "Viktor:LHEE". Empty: none.
-std::string_view subject_of(std::string_view point);
 
 /// The one of the subjects, named once each, that is wanted; if none is wanted, the only one.
 /// Throws Status::argument with `file` before a text that lists them.
@@ -24,18 +23,25 @@ struct SubjectPoints {
     std::string subject;             ///< empty: the names of the points say nothing about subjects
     std::vector<std::size_t> points; ///< indices of its points
     std::string note;                ///< which subject it is, and what is left out; may be empty
+    Leadings leadings;               ///< of all subjects, if one of several was taken
+    std::size_t taken = 0;           ///< its index there
+
+    /// Whether a name begins as those of another subject.
+    bool is_of_other(std::string_view name) const;
 };
 
 /// Takes the points of the one subject that is wanted from the names of all points, without their
-/// axes. If no subject is wanted, and there is only one, all points are taken. Throws as
-/// one_subject.
+/// axes, or of columns. If no subject is wanted, and there is only one, all points are taken.
+/// `stated`: subjects that the file names apart from these. Throws as one_subject.
 SubjectPoints points_of_subject(const std::vector<std::string>& names, const std::string& wanted,
-                                const std::string& file);
+                                const std::string& file, const std::vector<Subject>& stated = {},
+                                Named kind = Named::points);
 
 /// The same for a clip, which then has the name of the subject and the note. If the rows of a
 /// subject have been chosen before, all points are taken.
-std::vector<std::size_t> take_subject(Clip& clip, const std::vector<std::string>& names,
-                                      const std::string& wanted, const std::string& file);
+SubjectPoints take_subject(Clip& clip, const std::vector<std::string>& names,
+                           const std::string& wanted, const std::string& file,
+                           const std::vector<Subject>& stated = {}, Named kind = Named::points);
 
 /// What a note says about the subject that was taken; empty if it is the only one.
 std::string subject_note(const std::vector<std::string>& subjects, const std::string& taken);

@@ -118,6 +118,8 @@ Clip parse_mot(std::string_view bytes, const std::string& name, const ReadOption
     extract_time(clip, facts, name, options);
     if (equals_ignoring_case(header.said("datatype"), "Vec3"))
         take_points(clip, name, options);
+    else
+        take_columns_of_subject(clip, name, options);
     return clip;
 }
 

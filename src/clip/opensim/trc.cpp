@@ -81,7 +81,7 @@ class TrcReader {
 
     /// Leaves the markers of one subject.
     void keep_subject(const ReadOptions& options) {
-        const auto points = take_subject(clip_, markers_, options.subject, in_.name());
+        const auto points = take_subject(clip_, markers_, options.subject, in_.name()).points;
         if (points.size() == markers_.size())
             return;
         std::vector<std::int64_t> columns;

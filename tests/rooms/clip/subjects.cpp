@@ -15,10 +15,160 @@ Clip csv(std::string_view text, const std::string& subject = {}) {
     return parse(text, Format::csv, options);
 }
 
-void prefixes_are_subjects(void**) {
-    assert_true(subject_of("Viktor:LHEE") == "Viktor" && subject_of("a:b:heel") == "a");
-    for (const char* name : {"LHEE", "heel:", ":heel", ""})
-        assert_true(subject_of(name).empty());
+using Names = std::vector<std::string>;
+
+const Names markers = {"LHEE", "RHEE", "LTOE", "RTOE", "LASI", "RASI", "SACR"};
+const Names keypoints = {"nose", "tail", "left_ear", "right_ear"};
+const Names numbers = {"1", "2", "3", "4"};
+
+/// Each name behind each of the beginnings.
+Names behind(const Names& beginnings, const Names& names) {
+    Names all;
+    for (const std::string& beginning : beginnings)
+        for (const std::string& name : names)
+            all.push_back(beginning + name);
+    return all;
+}
+
+/// Names of the subjects; "?" after them if they are doubtful.
+std::string subjects_in(const Names& names, Named kind = Named::points,
+                        const std::vector<Subject>& stated = {}) {
+    const SubjectsOfNames found = subjects_of_names(names, stated, kind);
+    std::string text;
+    for (const Subject& subject : found.subjects)
+        text += (text.empty() ? "" : ", ") + subject.name;
+    return text + (found.doubtful ? "?" : "");
+}
+
+#define ASSERT_SUBJECTS(expected, ...)                                                             \
+    assert_string_equal(subjects_in(__VA_ARGS__).c_str(), expected)
+
+void colons_are_behind_subjects(void**) {
+    ASSERT_SUBJECTS("Viktor", {"Viktor:LHEE", "Viktor:RHEE"});
+    ASSERT_SUBJECTS("A, B", {"A:heel", "B:toe", "ball"});
+    ASSERT_SUBJECTS("", {"LHEE", "heel:", ":heel", ""});
+    ASSERT_SUBJECTS("", Names());
+    // Several levels.
+    ASSERT_SUBJECTS("A, B", behind({"scene:A:", "scene:B:"}, markers));
+    ASSERT_SUBJECTS("A, B", behind({"ref:scene:A:", "ref:scene:B:"}, numbers));
+    Names floor = behind({"scene:A:", "scene:B:"}, markers);
+    floor.insert(floor.end(), {"floor:1", "floor:2"});
+    ASSERT_SUBJECTS("scene:A, scene:B, floor", floor);
+    ASSERT_SUBJECTS("A", {"A:body:hip", "A:rig:thumb", "A:body:knee"});
+    // Nobody's, and parts of a body.
+    ASSERT_SUBJECTS("A", {"A:heel", "A:toe", "Unlabeled:1234", "*12", "unlabelled 3:x"});
+    ASSERT_SUBJECTS("", behind({"LeftFoot:", "RightFoot:", "Pelvis:"}, numbers));
+    ASSERT_SUBJECTS("", behind({"L:", "R:"}, {"heel", "toe", "knee"}));
+}
+
+void other_separators_need_names_of_bodies(void**) {
+    for (const char* separator : {"_", ".", "-", "|", " ", "/", " - "}) {
+        ASSERT_SUBJECTS(
+            "Anna, Ben",
+            behind({std::string("Anna") + separator, std::string("Ben") + separator}, markers));
+        ASSERT_SUBJECTS(
+            "",
+            behind({std::string("Thigh") + separator, std::string("Shank") + separator}, numbers));
+    }
+    ASSERT_SUBJECTS("Anna_Smith, Ben_Jones", behind({"Anna_Smith_", "Ben_Jones_"}, markers));
+    ASSERT_SUBJECTS("resident, intruder", behind({"resident_", "intruder_"}, keypoints));
+    ASSERT_SUBJECTS("Body0, Body1", behind({"Body0_", "Body1_"}, keypoints));
+    ASSERT_SUBJECTS("L, M", behind({"L_", "M_"}, markers));
+    Names fewer = behind({"A_", "B_"}, markers);
+    fewer.erase(fewer.begin(), fewer.begin() + 4); // fewer than half of the names are common
+    ASSERT_SUBJECTS("", fewer);
+}
+
+void parts_of_one_body(void**) {
+    ASSERT_SUBJECTS("", behind({"LTHI_", "RTHI_", "LSHA_", "RSHA_"}, numbers));
+    ASSERT_SUBJECTS("", behind({"hip_", "knee_", "ankle_"}, {"left", "right"}));
+    ASSERT_SUBJECTS("", behind({"L_", "R_"}, {"heel", "toe", "knee", "hip"}));
+    ASSERT_SUBJECTS("", behind({"front_", "hind_"}, {"left_paw", "right_paw", "left_knee"}));
+    ASSERT_SUBJECTS("", behind({"FL_", "FR_", "HL_", "HR_"}, {"paw", "knee", "hip"}));
+    ASSERT_SUBJECTS("", behind({"Pelvis_", "Head_"}, {"left_front", "right_front", "left_back"}));
+    ASSERT_SUBJECTS("", behind({"S1_", "S2_", "S3_"}, {"a", "b", "c", "d"}));
+    ASSERT_SUBJECTS("", {"hip", "knee", "left_hip", "left_knee", "right_hip", "right_knee"});
+}
+
+void numbered_words_are_subjects(void**) {
+    ASSERT_SUBJECTS("person0, person1", behind({"person0_", "person1_"}, {"a", "b"}));
+    ASSERT_SUBJECTS("mouse_1, mouse_2", behind({"mouse_1_", "mouse_2_"}, keypoints));
+    ASSERT_SUBJECTS("mouseA, mouseB", {"mouseA.nose", "mouseB.nose"});
+    ASSERT_SUBJECTS("mouse1, mouse2", {"nose_mouse1", "tail_mouse1", "nose_mouse2"});
+    ASSERT_SUBJECTS("fish1, fish2", {"fish1", "fish2"});
+    ASSERT_SUBJECTS("", {"person_1", "person_2", "person_3"}); // keypoints of one
+    ASSERT_SUBJECTS("", {"mouse1_nose", "mouse1_tail", "cage_corner"});
+}
+
+void one_without_a_prefix(void**) {
+    for (const char* prefix : {"B:", "B_"}) {
+        Names names = markers;
+        const Names others = behind({prefix}, markers);
+        names.insert(names.end(), others.begin(), others.end());
+        names.emplace_back("ball");
+        ASSERT_SUBJECTS("unnamed, B", names);
+    }
+    ASSERT_SUBJECTS("scene, B", behind({"scene:", "scene:B:"}, markers));
+}
+
+/// Blocks, or side by side.
+void the_same_names_twice(void**) {
+    ASSERT_SUBJECTS("1, 2", behind({"", ""}, markers));
+    ASSERT_SUBJECTS("1, 2",
+                    behind({"", ""}, behind({"M"}, {"1", "2", "3", "4", "5", "6", "7", "8"})));
+    ASSERT_SUBJECTS("A 1, A 2", behind({"A:", "A:"}, markers));
+    ASSERT_SUBJECTS("1, 2", {"LHEE", "LHEE", "RHEE", "RHEE", "SACR", "SACR", "T10"});
+    const SubjectsOfNames blocks = subjects_of_names(
+        Names{"LHEE", "RHEE", "SACR", "RHEE", "SACR", "LHEE", "CLAV"}, {}, Named::points);
+    assert_true(blocks.of[2] == 0 && blocks.of[3] == 1 && blocks.of[6] == 1);
+    ASSERT_SUBJECTS("", {"LHEE", "LHEE", "RHEE", "RHEE", "C7", "CLAV", "STRN"}); // mistakes
+    ASSERT_SUBJECTS("", Names(20, "marker"));
+    ASSERT_SUBJECTS("1, 2?", behind({"", ""}, {"hip", "knee", "ankle"})); // or two legs
+}
+
+void what_cannot_be_decided(void**) {
+    ASSERT_SUBJECTS("cam1, cam2?", behind({"cam1_", "cam2_"}, keypoints));
+    ASSERT_SUBJECTS("unnamed, filtered?", behind({"", "filtered_"}, markers));
+    Names many = behind({"M"}, {"1", "2", "3", "4", "5", "6", "7", "8"});
+    ASSERT_SUBJECTS("Anna, Ben?", behind({"Anna_", "Ben_"}, many));
+    many = behind({"Anna_", "Ben_"}, many);
+    const SubjectPoints all = points_of_subject(many, "", "file");
+    assert_true(all.points.size() == 16 && all.subject.empty());
+    assert_string_equal(all.note.c_str(),
+                        "points of the same names are read as those of one subject: if they are of "
+                        "several, 'Anna', 'Ben', choose one with option subject");
+    const SubjectPoints ben = points_of_subject(many, "Ben", "file");
+    assert_true(ben.points.size() == 8 && ben.points[0] == 8);
+}
+
+/// Sensors and joints of one body have the same quantities.
+void columns_of_other_quantities(void**) {
+    for (const Names& quantities : {Names{"acc", "gyr", "mag"}, Names{"left_flexion", "left_knee"}})
+        ASSERT_SUBJECTS("", behind({"EMG_", "IMU_"}, quantities), Named::columns);
+    ASSERT_SUBJECTS("", behind({"IMU1:", "IMU2:"}, {"acc", "gyr", "mag"}), Named::columns);
+    ASSERT_SUBJECTS("", behind({"hip_", "knee_"}, {"flexion_l", "flexion_r", "rotation_l"}),
+                    Named::columns);
+    const Names angles = {"hip_flexion", "knee_flexion", "ankle_flexion"};
+    ASSERT_SUBJECTS("Anna, Ben", behind({"Anna:", "Ben:"}, angles), Named::columns);
+    ASSERT_SUBJECTS("person1, person2", behind({"person1_", "person2_"}, angles), Named::columns);
+    ASSERT_FAILS(Status::argument, "there are 2 subjects, 'person1', 'person2'",
+                 csv("person1_knee,person1_hip,person2_knee\n1,2,3\n4,5,6\n"));
+    const Clip clip = csv("person1_knee,person1_hip,person2_knee\n1,2,3\n4,5,6\n", "person1");
+    assert_true(clip.values.cols() == 2 && clip.channel_names[1] == "person1_hip");
+}
+
+void the_word_of_the_file(void**) {
+    const std::vector<Subject> stated = {{"Anna", "left:"}, {"Ben", "B"}, {"Cleo", "Cleo:"}};
+    Names names = {"left:LHEE", "BLHEE", "LHEE", "*12", "left:RHEE"};
+    ASSERT_SUBJECTS("Anna, Ben, Cleo", names, Named::points, stated);
+    const SubjectsOfNames found = subjects_of_names(names, stated, Named::points);
+    assert_true(found.of[1] == 1 && found.of[2] == 2 && !found.of[3] && found.of[4] == 0);
+    const SubjectPoints silent = points_of_subject({"p1", "p2"}, "", "file", stated);
+    assert_true(silent.points.size() == 2 &&
+                silent.note.find("the file has 3 subjects, 'Anna'") == 0);
+    // One that is stated is not the only one if names say so.
+    ASSERT_SUBJECTS("Anna", markers, Named::points, {{"Anna", "Anna:"}});
+    ASSERT_SUBJECTS("unnamed, B", behind({"", "B:"}, markers), Named::points, {{"B", "B:"}});
 }
 
 void one_of_several_is_chosen(void**) {
@@ -51,6 +201,10 @@ void points_of_others_are_left_out(void**) {
     assert_true(clip.subject == "B" && clip.values.cols() == 2 && clip.values(0, 0) == 3 &&
                 clip.values(1, 1) == 8);
     assert_true(clip.channel_names == (std::vector<std::string>{"B:heel_x", "B:heel_y"}));
+    // Also if the columns are not taken as points.
+    const Clip raw =
+        csv("A:heel_x,A:heel_y,A:light,B:heel_x,B:heel_y,B:light\n1,2,3,4,5,6\n1,2,3,4,5,6\n", "B");
+    assert_true(raw.channel_names == (Names{"B:heel_x", "B:heel_y", "B:light"}));
 }
 
 /// Individuals of DeepLabCut.
@@ -65,6 +219,11 @@ void individuals(void**) {
     assert_string_equal(clip.channel_names[0].c_str(), "m2:nose_x");
     std::string other = text;
     assert_true(csv(other.replace(other.find("individuals"), 11, "Track"), "m2").subject == "m2");
+    // The line says that they are individuals, whatever their names.
+    for (const char* name : {"m1", "m2"})
+        while (other.find(name) != std::string::npos)
+            other.replace(other.find(name), 2, name == std::string("m1") ? "left" : "right");
+    ASSERT_FAILS(Status::argument, "there are 2 subjects, 'left', 'right'", csv(other));
 }
 
 const std::string tracks = "track,frame_idx,instance.score,nose.x,nose.y\n"
@@ -124,7 +283,15 @@ void dates_are_times(void**) {
 
 int main() {
     const CMUnitTest tests[] = {
-        cmocka_unit_test(prefixes_are_subjects),
+        cmocka_unit_test(colons_are_behind_subjects),
+        cmocka_unit_test(other_separators_need_names_of_bodies),
+        cmocka_unit_test(parts_of_one_body),
+        cmocka_unit_test(numbered_words_are_subjects),
+        cmocka_unit_test(one_without_a_prefix),
+        cmocka_unit_test(the_same_names_twice),
+        cmocka_unit_test(what_cannot_be_decided),
+        cmocka_unit_test(columns_of_other_quantities),
+        cmocka_unit_test(the_word_of_the_file),
         cmocka_unit_test(one_of_several_is_chosen),
         cmocka_unit_test(one_subject_needs_no_choice),
         cmocka_unit_test(points_of_others_are_left_out),
