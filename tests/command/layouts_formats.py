@@ -42,11 +42,13 @@ def trc_files(folder):
 
 @layout("TRC of several subjects: `Anna:heel`, `Ben:heel`")
 def trc_subjects(folder):
-    names = [f"{who}:{joint}" for who in ("Anna", "Ben") for joint in JOINTS]
     rows = [[*row, *([["1", "2", "3"]] * len(JOINTS))] for row in upright()]
-    path = write(folder / "a.trc", trc(rows, names=names), "\t")
-    yield Case(path, error="there are 2 subjects, 'Anna', 'Ben'")
-    yield Case(path, "upright", ("--subject", "Anna"))
+    for prefixes, subjects in ((("Anna:", "Ben:"), ("Anna", "Ben")), (("Anna_", "Ben_"), ("Anna", "Ben")),
+                               (("", ""), ("1", "2")), (("", "Ben:"), ("unnamed", "Ben"))):  # fmt: skip
+        names = [prefix + joint for prefix in prefixes for joint in JOINTS]
+        path = write(folder / "a.trc", trc(rows, names=names), "\t")
+        yield Case(path, error=f"there are 2 subjects, '{subjects[0]}', '{subjects[1]}'")
+        yield Case(path, "upright", ("--subject", subjects[0]))
 
 
 # ---- MOT, STO ----
@@ -112,6 +114,22 @@ def c3d_frames(folder):
     yield c3d_case(folder / "b.c3d", missing=gaps, like="single missing")
     yield c3d_case(folder / "c.c3d", missing=gaps, like="single missing", scale=1 / 16, order=">")
     yield c3d_case(folder / "d.c3d", first=704, analog=3)
+
+
+@layout("C3D of several subjects: SUBJECTS:NAMES, LABEL_PREFIXES")
+def c3d_subjects_group(folder):
+    rows = [[*row, *([["1", "2", "3"]] * len(JOINTS)), ["4", "5", "6"]] for row in single()]
+    for prefixes, stated in ((("S:", "B:"), ["S:", "B:"]), (("", "Ben:"), ["", "Ben:"]), (("S_", "B_"), ["S_", "B_"])):
+        names = [*(prefix + joint for prefix in prefixes for joint in JOINTS), "*26"]
+        group = {"NAMES": ["Anna", "Ben"], "LABEL_PREFIXES": stated, "USED": [2]}
+        case = c3d_case(folder / "a.c3d", rows, names, options=("--subject", "Anna"), parameters={"SUBJECTS": group})
+        yield case
+        yield Case(case.path, error="there are 2 subjects, 'Anna', 'Ben'")
+    one = {"NAMES": ["Plugin"], "LABEL_PREFIXES": [""], "USED": [1]}
+    yield c3d_case(folder / "b.c3d", parameters={"SUBJECTS": one})
+    yield c3d_case(folder / "c.c3d", options=("--subject", "Plugin"), parameters={"SUBJECTS": one})
+    unclear = c3d_case(folder / "d.c3d", parameters={"SUBJECTS": {"NAMES": ["Anna", "Ben"], "USED": [2]}})
+    yield Case(unclear.path, note="the file has 2 subjects, 'Anna', 'Ben', but does not say whose each point is")
 
 
 @layout("C3D of several subjects; the axis that is up: POINT:Y_SCREEN")

@@ -45,7 +45,7 @@ class Layouts(CommandTest):
         channels = self.json("info", path, *options)["channels"]
         found["points"] = [re.sub(r"[_. :-]?[xyz]$", "", name, flags=re.I) for name in channels["names"]]
         del found["clip"]["path"], found["clip"]["format"], found["clip"]["notes"]
-        return json.loads(re.sub(r"\b(Anna|Pat|S|mouse1):", "", json.dumps(found)))
+        return json.loads(re.sub(r"\b((scene:)?(Anna|Pat|S|mouse1)[:_|.]|mouse1_)", "", json.dumps(found)))
 
     def check(self, case):
         if case.error:
