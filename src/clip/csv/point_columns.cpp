@@ -5,7 +5,9 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <set>
 
 #include "clip/arrays/arrays.hpp"
 #include "clip/features/point_names.hpp"
@@ -40,16 +42,31 @@ struct Columns {
     std::vector<std::int64_t> of_subject; ///< all but those of other subjects
 };
 
+/// Programs count columns of the same name: "heel_x", "heel_x.1" (pandas, R), "heel_x_1" (MATLAB).
+std::vector<std::string> without_counts(std::vector<std::string> names) {
+    const std::set<std::string, std::less<>> known(names.begin(), names.end());
+    for (std::string& name : names) {
+        const std::size_t end = name.find_last_not_of("0123456789");
+        if (end == name.npos || end + 1 == name.size() || (name[end] != '.' && name[end] != '_'))
+            continue;
+        const std::string_view first = std::string_view(name).substr(0, end);
+        if (known.contains(first) && (!coordinate_of(first, AxisPlace::last).point.empty() ||
+                                      !point_of_confidence(first).empty()))
+            name.resize(end);
+    }
+    return names;
+}
+
 /// Collects columns by the names of their points. Points of the same name are told apart by their
 /// order: a second x begins the second of them.
 class PointFinder {
   public:
     explicit PointFinder(const std::vector<std::string>& names, AxisPlace place) {
-        found_.names = names;
+        found_.names = place == AxisPlace::last ? without_counts(names) : names;
         for (std::size_t c = 0; c < names.size(); ++c)
             // "visibility" ends as an axis.
-            if (Coordinate coordinate = coordinate_of(names[c], place);
-                coordinate.point.empty() || !point_of_confidence(names[c]).empty())
+            if (Coordinate coordinate = coordinate_of(found_.names[c], place);
+                coordinate.point.empty() || !point_of_confidence(found_.names[c]).empty())
                 rest_.push_back(c);
             else
                 add(coordinate, c);

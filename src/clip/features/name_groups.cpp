@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "clip/features/subject_words.hpp"
 #include "clip/text/text_cursor.hpp"
 
 namespace stltsa::clip {
@@ -11,21 +12,38 @@ namespace {
 
 constexpr std::string_view separators = "_.-|/ ";
 
-/// Where the separator of the first part is: a colon, or else any other. npos: there is none with
-/// something behind it.
-std::size_t end_of_part(std::string_view text) {
-    const auto goes_on = [&](std::size_t at) {
-        return at != text.npos && !trim(text.substr(at + 1)).empty();
-    };
-    const std::size_t colon = text.find(':');
-    if (goes_on(colon))
-        return trim(text.substr(0, colon)).empty() ? text.npos : colon;
-    std::size_t end = text.find_first_of(separators);
-    if (end != text.npos && goes_on(end) && text[end] == ' ') // "Anna - LHEE"
-        if (const std::size_t next = text.find_first_not_of(' ', end);
-            separators.find(text[next]) != separators.npos && goes_on(next))
-            end = next;
-    return goes_on(end) ? end : text.npos;
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+/// Where a part of a name ends and the next one begins.
+struct Cut {
+    std::size_t end = 0, next = 0;
+    bool is_colon = false;
+};
+
+/// Behind the first part: at a colon, or else at any other separator or at a letter after a number,
+/// as in "P1LHEE". None if nothing follows.
+std::optional<Cut> cut_of(std::string_view text) {
+    const auto goes_on = [&](std::size_t at) { return !trim(text.substr(at)).empty(); };
+    if (const std::size_t colon = text.find(':'); colon != text.npos && goes_on(colon + 1)) {
+        if (trim(text.substr(0, colon)).empty())
+            return std::nullopt;
+        return Cut{colon, colon + 1, true};
+    }
+    std::size_t end = 0;
+    while (end < text.size() && separators.find(text[end]) == separators.npos &&
+           !(end > 1 && is_letter(text[0]) && is_digit(text[end - 1]) && is_letter(text[end])))
+        ++end;
+    std::size_t next = end;
+    while (next < text.size() && next - end < 3 && separators.find(text[next]) != separators.npos &&
+           (next == end || text[next] == ' ' || text[next - 1] == ' ')) // "Anna - LHEE"
+        ++next;
+    return end < text.size() && goes_on(next) ? std::optional(Cut{end, next, false}) : std::nullopt;
 }
 
 } // namespace
@@ -35,15 +53,16 @@ NameLevel next_level(std::span<const std::string> names, const std::vector<PartO
     std::map<std::string_view, std::size_t> known;
     for (const PartOfName& member : members) {
         const std::string_view name = names[member.index], left = name.substr(member.at);
-        const std::size_t end = end_of_part(left);
-        if (end == left.npos) {
+        const std::optional<Cut> cut = cut_of(left);
+        if (!cut) {
             level.alone.push_back(member);
             continue;
         }
-        const std::size_t next = member.at + end + 1;
-        const auto [place, is_new] = known.emplace(trim(left.substr(0, end)), level.groups.size());
+        const std::size_t next = member.at + cut->next;
+        const auto [place, is_new] =
+            known.emplace(trim(left.substr(0, cut->end)), level.groups.size());
         if (is_new)
-            level.groups.push_back({std::string(name.substr(0, next)), left[end] == ':', {}});
+            level.groups.push_back({std::string(name.substr(0, next)), cut->is_colon, {}});
         level.groups[place->second].members.push_back({member.index, next});
     }
     return level;
@@ -69,7 +88,7 @@ void Leadings::add(std::string leading, std::size_t index) {
 
 std::optional<std::size_t> Leadings::of(std::string_view name) const {
     for (const std::size_t length : lengths_)
-        if (length < name.size())
+        if (length <= name.size())
             if (const auto found = known_.find(name.substr(0, length)); found != known_.end())
                 return found->second;
     return std::nullopt;
@@ -90,12 +109,14 @@ std::string left_of(std::span<const std::string> names, const PartOfName& part) 
     return std::string(trim(std::string_view(names[part.index]).substr(part.at)));
 }
 
-std::string_view last_part(std::string_view name) {
-    constexpr std::string_view digits = "0123456789";
+std::string last_part_first(std::string_view name) {
     std::size_t at = name.find_last_of(separators);
-    if (at != name.npos && at > 0 && name.find_first_not_of(digits, at + 1) == name.npos)
-        at = name.find_last_of(separators, at - 1);
-    return at == name.npos || at == 0 ? std::string_view() : name.substr(at + 1);
+    if (at == name.npos || at == 0 || name.find(':') != name.npos)
+        return std::string(name);
+    if (const std::size_t before = name.find_last_of(separators, at - 1);
+        before != name.npos && before > 0 && is_numbered_subject(name.substr(before + 1)))
+        at = before; // "nose_mouse_1"
+    return std::string(name.substr(at + 1)) + '_' + std::string(name.substr(0, at));
 }
 
 } // namespace stltsa::clip

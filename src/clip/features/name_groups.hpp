@@ -63,8 +63,8 @@ std::string_view without_path(std::string_view name);
 /// What is left of a name.
 std::string left_of(std::span<const std::string> names, const PartOfName& part);
 
-/// The last part of a name, with one more if it is a number: "mouse_1" of "nose_mouse_1". Empty:
-/// there is no separator.
-std::string_view last_part(std::string_view name);
+/// The name with its last part before the others: "mouse1_nose" of "nose_mouse1". The same name if
+/// it has a colon or no separator.
+std::string last_part_first(std::string_view name);
 
 } // namespace stltsa::clip

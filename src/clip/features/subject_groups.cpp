@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <map>
 #include <unordered_set>
 
 #include "base/side_name.hpp"
@@ -87,14 +86,17 @@ class GroupFinder {
             if (Groups more = subjects_among(groups, members, path, depth == 0); more.size() > 1)
                 found = std::move(more);
         }
+        Groups below;
+        Leadings divided;
         for (const NameGroup& group : level.groups)
             if (const Groups within = subjects_in(group.members, group.leading, depth + 1);
                 within.size() > 1) {
-                std::erase_if(found, [&](const NameGroup& other) {
-                    return other.leading.starts_with(group.leading);
-                });
-                found.insert(found.end(), within.begin(), within.end());
+                below.insert(below.end(), within.begin(), within.end());
+                divided.add(group.leading, 0);
             }
+        std::erase_if(
+            found, [&](const NameGroup& group) { return divided.of(group.leading).has_value(); });
+        found.insert(found.end(), below.begin(), below.end());
         return found;
     }
 
@@ -118,9 +120,10 @@ class GroupFinder {
             const std::string_view last = without_path(leadings[g]);
             if (is_numbered_subject(last))
                 return Role::subject;
-            // Nothing that is of one side has two.
+            // What is of one side does not have two.
             const bool is_side =
-                sides[g].partner != g && !body_names(left_of_all(groups[g].members)).has_both_sides;
+                sides[g].partner != g &&
+                (is_side_word(last) || !body_names(left_of_all(groups[g].members)).has_both_sides);
             if (is_side || is_unlabeled(last) || is_body_part(last) || is_other_quantity(last))
                 return Role::part;
             if (groups[g].by_colon && is_first && kind_ == Named::points)
@@ -188,13 +191,16 @@ class GroupFinder {
     /// body. Otherwise they may be parts of one body, or copies of it.
     bool are_subjects(const Groups& groups, const Reference& reference) {
         const std::vector<std::string> shared(reference.shared().begin(), reference.shared().end());
-        const bool of_body = reference.is_sure() || 2 * body_names(shared).points >= shared.size();
+        const BodyNames body = body_names(shared);
+        const bool of_body =
+            reference.is_sure() || (2 * body.points >= shared.size() &&
+                                    (kind_ == Named::columns || body.more_than_a_limb > 0));
         const bool versions = std::ranges::any_of(groups, [](const NameGroup& group) {
             return is_version(without_path(without_separator(group.leading)));
         });
         if (of_body && !versions)
             return true;
-        if ((of_body || shared.size() >= many_names) && doubtful_.empty())
+        if ((of_body || shared.size() >= many_names) && kind_ == Named::points && doubtful_.empty())
             doubtful_ = groups;
         return false;
     }
@@ -204,18 +210,23 @@ class GroupFinder {
     Groups doubtful_;
 };
 
-/// "nose_mouse1" and "nose_mouse2".
-Groups groups_by_last_part(Names names) {
-    Groups groups;
-    std::map<std::string_view, std::size_t> known;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        if (const std::string_view last = last_part(names[i]); is_numbered_subject(last)) {
-            const auto [place, is_new] = known.emplace(last, groups.size());
-            if (is_new)
-                groups.push_back({std::string(last), false, {}});
-            groups[place->second].members.push_back({i, 0});
-        }
-    return groups;
+/// Of names that end alike, as "nose_mouse1" and "tail_mouse1". What is not a numbered word may be
+/// the number of a marker on a part of the body.
+SubjectGroups groups_by_end(Names names, Named kind) {
+    std::vector<std::string> turned;
+    for (const std::string& name : names)
+        turned.push_back(last_part_first(name));
+    Groups found = GroupFinder(turned, kind).find();
+    const auto holds = [&](auto condition) {
+        return found.size() > 1 && std::ranges::all_of(found, condition);
+    };
+    if (holds([](const NameGroup& group) {
+            return is_numbered_subject(without_separator(group.leading));
+        }))
+        return {std::move(found), false, true};
+    if (holds([](const NameGroup& group) { return group.members.size() >= many_names; }))
+        return {std::move(found), true, true};
+    return {};
 }
 
 } // namespace
@@ -223,12 +234,14 @@ Groups groups_by_last_part(Names names) {
 SubjectGroups subject_groups(Names names, Named kind) {
     GroupFinder finder(names, kind);
     Groups found = finder.find();
-    if (found.size() < 2)
-        if (Groups last = groups_by_last_part(names); last.size() > 1)
-            found = std::move(last);
-    if (found.size() < 2 && finder.doubtful().size() > 1)
-        return {std::move(finder.doubtful()), true};
-    return {std::move(found), false};
+    if (found.size() > 1)
+        return {std::move(found), false, false};
+    SubjectGroups by_end = groups_by_end(names, kind);
+    if (!by_end.groups.empty() && !by_end.doubtful)
+        return by_end;
+    if (finder.doubtful().size() > 1)
+        return {std::move(finder.doubtful()), true, false};
+    return by_end.groups.empty() ? SubjectGroups{std::move(found), false, false} : by_end;
 }
 
 } // namespace stltsa::clip

@@ -14,6 +14,7 @@ constexpr std::size_t many_names = 8;
 struct SubjectGroups {
     std::vector<NameGroup> groups;
     bool doubtful = false; ///< they may as well be parts of one body
+    bool by_end = false;   ///< the names do not begin with `leading`, but end with what it says
 };
 
 /// One group only if a colon says that there is a subject.

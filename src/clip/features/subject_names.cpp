@@ -72,16 +72,16 @@ std::size_t shared_path(const std::vector<NameGroup>& groups) {
     return shared.value_or("").find_last_of(":|/") + 1;
 }
 
-Owners owners_of(const std::vector<NameGroup>& groups) {
-    const std::size_t path = shared_path(groups);
+Owners owners_of(const SubjectGroups& found) {
+    const std::size_t path = shared_path(found.groups);
     Owners owners;
-    for (const NameGroup& group : groups) {
+    for (const NameGroup& group : found.groups) {
         const std::string_view leading = group.leading;
         const std::string_view own =
             without_separator(leading.substr(std::min(path, leading.size())));
         Owner& owner = owners.emplace_back();
         owner.subject = {std::string(own.empty() ? without_separator(leading) : own),
-                         group.leading};
+                         found.by_end ? std::string() : group.leading};
         for (const PartOfName& member : group.members)
             owner.points.push_back(member.index);
     }
@@ -150,7 +150,7 @@ SubjectsOfNames subjects_of_names(Names names, std::span<const Subject> stated, 
     Owners owners = stated.size() > 1 ? stated_owners(names, stated) : Owners();
     if (owners.empty()) {
         const SubjectGroups groups = subject_groups(names, kind);
-        owners = owners_of(groups.groups);
+        owners = owners_of(groups);
         found.doubtful = groups.doubtful;
     }
     if (owners.empty()) // one, or several without names

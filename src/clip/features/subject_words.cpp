@@ -31,7 +31,8 @@ constexpr std::string_view places[] = {
     "left",      "right", "front", "rear", "hind",   "fore",   "upper",  "lower",    "top",
     "bottom",    "bot",   "up",    "low",  "side",   "inner",  "outer",  "medial",   "lateral",
     "med",       "lat",   "ant",   "post", "prox",   "dist",   "distal", "proximal", "anterior",
-    "posterior", "sup",   "inf",   "mid",  "middle", "center", "centre", "com",      "origin"};
+    "posterior", "sup",   "inf",   "mid",  "middle", "center", "centre", "com",      "origin",
+    "mcp",       "pip",   "dip",   "cmc",  "tip"};
 constexpr std::string_view midline[] = {
     "head",   "skull",   "face",    "nose",   "snout", "mouth",    "chin",  "jaw",  "forehead",
     "neck",   "sternum", "chest",   "thorax", "torso", "trunk",    "spine", "back", "sacrum",
@@ -115,6 +116,11 @@ bool is_numbered_subject(std::string_view leading) {
 bool is_unlabeled(std::string_view leading) {
     const std::vector<std::string> words = words_of(leading);
     return leading.starts_with('*') || (!words.empty() && is_any(words[0], unlabeled));
+}
+
+bool is_side_word(std::string_view leading) {
+    constexpr std::string_view sides[] = {"l", "r", "left", "right"};
+    return is_any(to_lower(leading), sides);
 }
 
 bool is_body_part(std::string_view leading) {

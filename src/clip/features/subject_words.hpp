@@ -14,6 +14,9 @@ bool is_numbered_subject(std::string_view leading);
 /// Whether it stands before points that the cameras saw and nobody named: "Unlabeled", "*12".
 bool is_unlabeled(std::string_view leading);
 
+/// Whether it is "left", "R" or the like.
+bool is_side_word(std::string_view leading);
+
 /// Whether it is a part of a body, or a place on one: "pelvis", "LThigh", "front".
 bool is_body_part(std::string_view leading);
 

@@ -70,6 +70,7 @@ void other_separators_need_names_of_bodies(void**) {
             "",
             behind({std::string("Thigh") + separator, std::string("Shank") + separator}, numbers));
     }
+    ASSERT_SUBJECTS("P1, P2", behind({"P1", "P2"}, markers));
     ASSERT_SUBJECTS("Anna_Smith, Ben_Jones", behind({"Anna_Smith_", "Ben_Jones_"}, markers));
     ASSERT_SUBJECTS("resident, intruder", behind({"resident_", "intruder_"}, keypoints));
     ASSERT_SUBJECTS("Body0, Body1", behind({"Body0_", "Body1_"}, keypoints));
@@ -85,6 +86,8 @@ void parts_of_one_body(void**) {
     ASSERT_SUBJECTS("", behind({"L_", "R_"}, {"heel", "toe", "knee", "hip"}));
     ASSERT_SUBJECTS("", behind({"front_", "hind_"}, {"left_paw", "right_paw", "left_knee"}));
     ASSERT_SUBJECTS("", behind({"FL_", "FR_", "HL_", "HR_"}, {"paw", "knee", "hip"}));
+    ASSERT_SUBJECTS("", behind({"near_fore_", "off_fore_", "off_hind_"}, {"hoof", "knee", "hip"}));
+    ASSERT_SUBJECTS("", behind({"L_", "R_"}, {"eye_left", "eye_right", "mouth_left"}));
     ASSERT_SUBJECTS("", behind({"Pelvis_", "Head_"}, {"left_front", "right_front", "left_back"}));
     ASSERT_SUBJECTS("", behind({"S1_", "S2_", "S3_"}, {"a", "b", "c", "d"}));
     ASSERT_SUBJECTS("", {"hip", "knee", "left_hip", "left_knee", "right_hip", "right_knee"});
@@ -95,6 +98,8 @@ void numbered_words_are_subjects(void**) {
     ASSERT_SUBJECTS("mouse_1, mouse_2", behind({"mouse_1_", "mouse_2_"}, keypoints));
     ASSERT_SUBJECTS("mouseA, mouseB", {"mouseA.nose", "mouseB.nose"});
     ASSERT_SUBJECTS("mouse1, mouse2", {"nose_mouse1", "tail_mouse1", "nose_mouse2"});
+    ASSERT_SUBJECTS("mouse_1, mouse_2", {"nose_mouse_1", "tail_mouse_1", "nose_mouse_2"});
+    ASSERT_SUBJECTS("mouse1, mouse2", {"mouse1Nose", "mouse2Nose"});
     ASSERT_SUBJECTS("fish1, fish2", {"fish1", "fish2"});
     ASSERT_SUBJECTS("", {"person_1", "person_2", "person_3"}); // keypoints of one
     ASSERT_SUBJECTS("", {"mouse1_nose", "mouse1_tail", "cage_corner"});
@@ -131,6 +136,12 @@ void what_cannot_be_decided(void**) {
     ASSERT_SUBJECTS("unnamed, filtered?", behind({"", "filtered_"}, markers));
     Names many = behind({"M"}, {"1", "2", "3", "4", "5", "6", "7", "8"});
     ASSERT_SUBJECTS("Anna, Ben?", behind({"Anna_", "Ben_"}, many));
+    Names ends;
+    for (const char* end : {"_1", "_2"})
+        for (const std::string& name :
+             {"LHEE", "RHEE", "LTOE", "RTOE", "LKNE", "RKNE", "C7", "T10"})
+            ends.push_back(name + end);
+    ASSERT_SUBJECTS("1, 2?", ends);
     many = behind({"Anna_", "Ben_"}, many);
     const SubjectPoints all = points_of_subject(many, "", "file");
     assert_true(all.points.size() == 16 && all.subject.empty());
@@ -191,6 +202,24 @@ void one_subject_needs_no_choice(void**) {
     ASSERT_FAILS(Status::argument, "test: option subject is 'A', but the file names no subjects",
                  csv("heel_x,heel_y\n1,2\n3,4\n", "A"));
     ASSERT_FAILS(Status::argument, "names no subjects", csv("1,2\n3,4\n", "A"));
+}
+
+/// As programs number columns of the same name.
+void counted_columns(void**) {
+    const std::string rows = "\n1,2,3,4,5,6,7,8,9,10,11,12\n2,2,3,4,5,6,7,8,9,10,11,12\n";
+    for (const std::string count : {".1", "_1"}) {
+        std::string head;
+        for (const std::string& end : {std::string(), count})
+            for (const char* point : {"nose", "LHEE", "RHEE"})
+                for (const char* axis : {"_x", "_y"})
+                    head += (head.empty() ? "" : ",") + std::string(point) + axis + end;
+        ASSERT_FAILS(Status::argument, "there are 2 subjects, '1', '2'", csv(head + rows));
+        const Clip second = csv(head + rows, "2");
+        assert_true(second.values.cols() == 6 && second.values(0, 0) == 7 && second.space == 2);
+        assert_string_equal(second.channel_names[0].c_str(), "nose_x");
+    }
+    // A marker with a number is none.
+    assert_true(csv("M_x,M_y,M_1_x,M_1_y,N_x,N_y\n1,2,3,4,5,6\n1,2,3,4,5,6\n").values.cols() == 6);
 }
 
 const std::string two = "A:heel_x,A:heel_y,B:heel_x,B:heel_y\n1,2,3,4\n5,6,7,8\n";
@@ -294,6 +323,7 @@ int main() {
         cmocka_unit_test(the_word_of_the_file),
         cmocka_unit_test(one_of_several_is_chosen),
         cmocka_unit_test(one_subject_needs_no_choice),
+        cmocka_unit_test(counted_columns),
         cmocka_unit_test(points_of_others_are_left_out),
         cmocka_unit_test(individuals),
         cmocka_unit_test(rows_of_tracks),
