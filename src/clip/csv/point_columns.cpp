@@ -58,18 +58,23 @@ std::vector<std::string> without_counts(std::vector<std::string> names) {
 }
 
 /// Collects columns by the names of their points. Points of the same name are told apart by their
-/// order: a second x begins the second of them.
+/// order: the second x is of the second of them, or begins it if an axis of some is absent.
 class PointFinder {
   public:
     explicit PointFinder(const std::vector<std::string>& names, AxisPlace place) {
         found_.names = place == AxisPlace::last ? without_counts(names) : names;
+        std::vector<std::pair<Coordinate, std::size_t>> coordinates;
         for (std::size_t c = 0; c < names.size(); ++c)
             // "visibility" ends as an axis.
             if (Coordinate coordinate = coordinate_of(found_.names[c], place);
-                coordinate.point.empty() || !point_of_confidence(found_.names[c]).empty())
+                coordinate.point.empty() || !point_of_confidence(found_.names[c]).empty()) {
                 rest_.push_back(c);
-            else
-                add(coordinate, c);
+            } else {
+                ++by_name_[to_lower(coordinate.point)].of_axis[coordinate.axis];
+                coordinates.emplace_back(std::move(coordinate), c);
+            }
+        for (const auto& [coordinate, c] : coordinates)
+            add(coordinate, c);
         for (const std::size_t c : rest_)
             if (!add_confidence(c))
                 found_.others.push_back(found_.names[c]);
@@ -82,17 +87,28 @@ class PointFinder {
     /// Points of one name.
     struct Namesakes {
         std::vector<std::size_t> points;
+        std::array<std::size_t, 3> of_axis{}, taken{}; ///< columns
         std::size_t with_confidence = 0;
+
+        bool have_all_axes() const {
+            return of_axis[0] == of_axis[1] && (of_axis[2] == 0 || of_axis[2] == of_axis[0]);
+        }
     };
 
     void add(const Coordinate& coordinate, std::size_t c) {
         Namesakes& same = by_name_[to_lower(coordinate.point)];
-        if (same.points.empty() || all_[same.points.back()].columns[coordinate.axis] != none) {
+        const std::size_t axis = coordinate.axis;
+        std::size_t place = same.points.size();
+        if (same.have_all_axes())
+            place = same.taken[axis]++;
+        else if (place > 0 && all_[same.points.back()].columns[axis] == none)
+            --place;
+        if (place == same.points.size()) {
             same.points.push_back(all_.size());
             all_.emplace_back().name = coordinate.point;
         }
-        Point& point = all_[same.points.back()];
-        point.columns[coordinate.axis] = static_cast<std::int64_t>(c);
+        Point& point = all_[same.points[place]];
+        point.columns[axis] = static_cast<std::int64_t>(c);
         point.is_set_apart = point.is_set_apart && coordinate.is_set_apart;
         point.unit = unit_of(found_.names[c]);
         found_.names[c] = coordinate.name;

@@ -172,9 +172,9 @@ class GroupFinder {
         return sure.size() > 1 || (is_first && !sure.empty() && sure[0].by_colon) ? sure : Groups();
     }
 
-    /// The names that are of no group.
-    static std::vector<PartOfName> left_by(const Groups& sure, const Groups& others,
-                                           const std::vector<PartOfName>& members) {
+    /// The names that are of no group, and may be of a subject.
+    std::vector<PartOfName> left_by(const Groups& sure, const Groups& others,
+                                    const std::vector<PartOfName>& members) const {
         std::unordered_set<std::size_t> taken;
         for (const Groups* groups : {&sure, &others})
             for (const NameGroup& group : *groups)
@@ -182,7 +182,7 @@ class GroupFinder {
                     taken.insert(member.index);
         std::vector<PartOfName> left;
         std::ranges::copy_if(members, std::back_inserter(left), [&](const PartOfName& member) {
-            return !taken.contains(member.index);
+            return !taken.contains(member.index) && !is_unlabeled(left_of(names_, member));
         });
         return left;
     }

@@ -110,8 +110,9 @@ void one_without_a_prefix(void**) {
         Names names = markers;
         const Names others = behind({prefix}, markers);
         names.insert(names.end(), others.begin(), others.end());
-        names.emplace_back("ball");
+        names.insert(names.end(), {"ball", "*12"});
         ASSERT_SUBJECTS("unnamed, B", names);
+        assert_false(subjects_of_names(names, {}, Named::points).of.back().has_value());
     }
     ASSERT_SUBJECTS("scene, B", behind({"scene:", "scene:B:"}, markers));
 }
@@ -218,6 +219,14 @@ void counted_columns(void**) {
         assert_true(second.values.cols() == 6 && second.values(0, 0) == 7 && second.space == 2);
         assert_string_equal(second.channel_names[0].c_str(), "nose_x");
     }
+    // All x before all y.
+    const Clip by_axis =
+        csv("nose_x,l_ear_x,tail_x,nose_x,l_ear_x,tail_x,nose_y,l_ear_y,tail_y,nose_y,"
+            "l_ear_y,tail_y" +
+                rows,
+            "2");
+    assert_true(by_axis.values.cols() == 6 && by_axis.values(0, 0) == 4 &&
+                by_axis.values(0, 1) == 10);
     // A marker with a number is none.
     assert_true(csv("M_x,M_y,M_1_x,M_1_y,N_x,N_y\n1,2,3,4,5,6\n1,2,3,4,5,6\n").values.cols() == 6);
 }
