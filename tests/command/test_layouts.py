@@ -10,6 +10,7 @@ import unittest
 
 import layouts
 import layouts_formats  # noqa: F401 (registers layouts)
+import layouts_subjects  # noqa: F401
 import layouts_times  # noqa: F401
 from common import CommandTest, run
 
