@@ -88,6 +88,8 @@ void parts_of_one_body(void**) {
     ASSERT_SUBJECTS("", behind({"FL_", "FR_", "HL_", "HR_"}, {"paw", "knee", "hip"}));
     ASSERT_SUBJECTS("", behind({"near_fore_", "off_fore_", "off_hind_"}, {"hoof", "knee", "hip"}));
     ASSERT_SUBJECTS("", behind({"L_", "R_"}, {"eye_left", "eye_right", "mouth_left"}));
+    ASSERT_SUBJECTS("",
+                    behind({"subtalar_", "mtp_", "hip_"}, {"left_heel", "right_heel", "left_toe"}));
     ASSERT_SUBJECTS("", behind({"Pelvis_", "Head_"}, {"left_front", "right_front", "left_back"}));
     ASSERT_SUBJECTS("", behind({"S1_", "S2_", "S3_"}, {"a", "b", "c", "d"}));
     ASSERT_SUBJECTS("", {"hip", "knee", "left_hip", "left_knee", "right_hip", "right_knee"});
@@ -128,6 +130,8 @@ void the_same_names_twice(void**) {
         Names{"LHEE", "RHEE", "SACR", "RHEE", "SACR", "LHEE", "CLAV"}, {}, Named::points);
     assert_true(blocks.of[2] == 0 && blocks.of[3] == 1 && blocks.of[6] == 1);
     ASSERT_SUBJECTS("", {"LHEE", "LHEE", "RHEE", "RHEE", "C7", "CLAV", "STRN"}); // mistakes
+    ASSERT_SUBJECTS("",
+                    {"LHEE", "LHEE", "RHEE", "RHEE", "SACR", "SACR", "C7", "CLAV", "STRN", "T10"});
     ASSERT_SUBJECTS("", Names(20, "marker"));
     ASSERT_SUBJECTS("1, 2?", behind({"", ""}, {"hip", "knee", "ankle"})); // or two legs
 }
@@ -165,6 +169,9 @@ void columns_of_other_quantities(void**) {
     ASSERT_SUBJECTS("person1, person2", behind({"person1_", "person2_"}, angles), Named::columns);
     ASSERT_FAILS(Status::argument, "there are 2 subjects, 'person1', 'person2'",
                  csv("person1_knee,person1_hip,person2_knee\n1,2,3\n4,5,6\n"));
+    ASSERT_FAILS(Status::argument, "there are 2 subjects, 'person1', 'person2'",
+                 parse("nRows=2\nendheader\ntime\tperson1_knee\tperson2_knee\n0\t1\t2\n1\t3\t4\n",
+                       Format::mot, {}));
     const Clip clip = csv("person1_knee,person1_hip,person2_knee\n1,2,3\n4,5,6\n", "person1");
     assert_true(clip.values.cols() == 2 && clip.channel_names[1] == "person1_hip");
 }
