@@ -7,6 +7,7 @@
 #include <set>
 
 #include "clip/arrays/arrays.hpp"
+#include "clip/arrays/missing_codes.hpp"
 #include "clip/c3d/file.hpp"
 #include "clip/features/subjects.hpp"
 #include "clip/text/text_cursor.hpp"
@@ -312,6 +313,8 @@ Clip parse_c3d(std::string_view bytes, const std::string& name, const ReadOption
     clip.space = 3;
     clip.values = read_points(file, layout, kept, options.progress);
     clip.channel_names = coordinate_names(labels, clip.space);
+    PacedPoll polls(options.progress, Stage::read, 1);
+    drop_missing_codes(clip.values, clip.channel_names, polls, clip.notes);
     read_up_axis(file, clip);
     const auto units = file.parameter("point:units").texts;
     clip.unit = units.empty() ? "" : units[0];

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "base/formula.hpp"
+#include "clip/arrays/missing_codes.hpp"
 #include "clip/csv/bids.hpp"
 #include "clip/csv/cells.hpp"
 #include "clip/csv/date_time.hpp"
@@ -118,6 +119,7 @@ class CsvReader {
             std::copy_n(values_.data() + i * values.cols(), values.cols(), values.row(i));
             polls_.did(values.cols());
         }
+        drop_missing_codes(values, clip_.channel_names, polls_, clip_.notes);
         clip_.values = std::move(values);
         take_rows_of_subject(clip_, subject_column_, subjects_, lines_, in_.name(), options_);
         drop_text();

@@ -71,7 +71,7 @@ Prepared prepare(const Clip& clip, const PrepareOptions& options) {
     std::ranges::sort(prepared.holes, {}, &Frames::begin);
     Matrix& all = made.rows;
     ConstMatrixView kept = block(all, used);
-    if (const std::int64_t jump = find_jump(kept); jump > 0)
+    if (const std::int64_t jump = find_jump(kept, 1); jump > 0)
         prepared.jump = prepared.first + jump;
     // Decimation and smoothing are in seconds, so they need a frame rate.
     if (clip.fps > 0 && options.rate > 0)

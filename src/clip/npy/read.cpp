@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "clip/arrays/missing_codes.hpp"
 #include "clip/clip.hpp"
 #include "clip/features/jump.hpp"
 #include "clip/text/number.hpp"
@@ -120,7 +121,8 @@ Clip parse_npy(std::string_view bytes, const std::string& name, const ReadOption
     clip.values = converted(header, data.data(), shape, polls);
     clip.space = shape.space;
     check_finite(clip.values, name, polls);
-    if (const std::int64_t jump = find_jump(clip.values.view()); jump > 0)
+    drop_missing_codes(clip.values, {}, polls, clip.notes);
+    if (const std::int64_t jump = find_jump(clip.values.view(), std::max(1, clip.space)); jump > 0)
         clip.notes.push_back(format_text(
             "the numbers jump at frame {}: if frames were lost there, insert them as NaN, or save "
             "points with their times in another format",

@@ -183,6 +183,104 @@ void rows_that_were_lost(void**) {
     }
 }
 
+/// Frames of a body of 9 points that swing while it walks across the room, without those of
+/// [lost, lost + count).
+std::vector<double> crossing(int lost, int count) {
+    std::vector<double> values;
+    for (int i = 0; i < 400; ++i)
+        for (int p = 0; p < 9 && !(i >= lost && i < lost + count); ++p) {
+            const double t = 0.01 * i, swing = std::sin(6 * t + p);
+            values.insert(values.end(), {1.3 * t + 0.1 * p + 0.2 * swing, 0.1 * p, 0.05 * swing});
+        }
+    return values;
+}
+
+Clip points_of(const std::vector<double>& values) {
+    const std::string frames = std::to_string(values.size() / 27);
+    return npy(header(dict("<f8", "False", "(" + frames + ", 9, 3)")) + numbers("<f8", values));
+}
+
+/// However far the body travels, and while points are missing.
+void rows_that_were_lost_on_the_way(void**) {
+    assert_true(points_of(crossing(150, 0)).notes.empty());
+    for (const int lost : {100, 150, 300}) {
+        std::vector<double> values = crossing(lost, 12);
+        for (std::size_t i = 0; i + 27 < values.size(); i += 54)
+            std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(i), 3, 0); // flickers
+        const Clip clip = points_of(values);
+        assert_int_equal(clip.notes.size(), 1);
+        assert_non_null(
+            std::strstr(clip.notes[0].c_str(),
+                        stltsa::format_text("the numbers jump at frame {}:", lost).c_str()));
+        // As the note asks.
+        values.insert(values.begin() + 27 * lost, 27 * 12, std::nan(""));
+        assert_true(points_of(values).notes.empty());
+    }
+}
+
+/// Neither a switch nor the last digit of a slow column jumps.
+void steps_that_are_usual(void**) {
+    std::vector<double> digits, switched;
+    for (int i = 0; i < 600; ++i) {
+        digits.push_back(std::round(0.05 * i));
+        switched.push_back(i / 97 % 2);
+    }
+    for (const std::vector<double>& values : {digits, switched})
+        assert_true(
+            npy(header(dict("<f8", "False", "(600,)")) + numbers("<f8", values)).notes.empty());
+}
+
+std::size_t missing_in(const Clip& clip) {
+    return static_cast<std::size_t>(std::count_if(
+        clip.values.data(), clip.values.data() + clip.values.rows() * clip.values.cols(),
+        [](double x) { return std::isnan(x); }));
+}
+
+/// Numbers of nines, far from all others.
+void codes_for_missing_values(void**) {
+    for (const double code : {-9999.0, 999.0, 9999999.0, -999000.0, -9.223372036854775e18,
+                              static_cast<double>(std::numeric_limits<float>::max())}) {
+        std::vector<double> values = crossing(0, 0);
+        std::fill_n(values.begin() + 27 * 50 + 6, 3, code); // once
+        const Clip clip = points_of(values);
+        const bool is_code = code > -1e18;
+        assert_int_equal(missing_in(clip), is_code ? 3 : 0);
+        if (is_code)
+            assert_non_null(
+                std::strstr(clip.notes[0].c_str(), "taken as missing, 3 times in 3 columns"));
+    }
+    // A point that is never there; a code inside the range of one axis.
+    std::vector<double> values = crossing(0, 0);
+    for (std::size_t i = 0; i < values.size(); i += 27) {
+        values[i + 3] += 20000 - 100 * static_cast<double>(i / 27);
+        std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(i), 3, -9999);
+        if (i / 27 % 4 == 0)
+            std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(i + 3), 3, -9999);
+    }
+    const Clip clip = points_of(values);
+    assert_int_equal(missing_in(clip), 400 * 3 + 100 * 2);
+    assert_true(stltsa::clip::is_missing(clip.values.row(0) + 3, 3));
+    assert_true(!stltsa::clip::is_missing(clip.values.row(1) + 3, 3));
+}
+
+/// Twice; not far outside; not of nines; beside equal numbers.
+void numbers_that_are_no_codes(void**) {
+    const auto column = [](double number, int times, double range) {
+        std::vector<double> values;
+        for (int i = 0; i < 100; ++i)
+            values.push_back(i % 10 == 0 && i < 10 * times ? number
+                                                           : std::round(range * std::sin(i)));
+        return npy(header(dict("<f8", "False", "(100,)")) + numbers("<f8", values));
+    };
+    assert_int_equal(missing_in(column(9999, 3, 2000)), 3);
+    assert_int_equal(missing_in(column(9999, 2, 2000)), 0);
+    assert_int_equal(missing_in(column(9999, 3, 4000)), 0);
+    assert_int_equal(missing_in(column(9998, 3, 2000)), 0);
+    assert_int_equal(missing_in(column(10000, 3, 2000)), 0);
+    assert_int_equal(missing_in(column(9999, 3, 0)), 0);
+    assert_int_equal(missing_in(column(99, 3, 2)), 0);
+}
+
 void not_finite(void**) {
     std::vector<double> values = six;
     values[4] = std::numeric_limits<double>::quiet_NaN(); // a gap
@@ -208,6 +306,10 @@ int main() {
         cmocka_unit_test(broken_headers),
         cmocka_unit_test(three_dimensions_are_points),
         cmocka_unit_test(rows_that_were_lost),
+        cmocka_unit_test(rows_that_were_lost_on_the_way),
+        cmocka_unit_test(steps_that_are_usual),
+        cmocka_unit_test(codes_for_missing_values),
+        cmocka_unit_test(numbers_that_are_no_codes),
         cmocka_unit_test(not_finite),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clip/arrays/missing_codes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "clip/text/text_cursor.hpp"
+
+namespace stltsa::clip {
+namespace {
+
+constexpr std::int64_t least_cells = 3;
+
+/// Whether the number may be a code: its digits are nines, perhaps zeros after them if a unit was
+/// changed, or it is the largest of single or double precision.
+bool may_be_code(double number) {
+    constexpr double shortest = 999, longest = 1e18;
+    const double size = std::abs(number);
+    if (size == std::numeric_limits<float>::max() || size == std::numeric_limits<double>::max())
+        return true;
+    if (!(size >= shortest && size < longest) || size != std::floor(size))
+        return false;
+    auto digits = static_cast<std::int64_t>(size);
+    while (digits % 10 == 0)
+        digits /= 10;
+    const bool are_enough = digits >= static_cast<std::int64_t>(shortest);
+    while (digits % 10 == 9)
+        digits /= 10;
+    return are_enough && digits == 0;
+}
+
+struct Column {
+    double least = std::numeric_limits<double>::infinity(), most = -least; ///< of the others
+    std::map<double, std::int64_t> codes;                                  ///< cells of each
+
+    bool is_outside(double code) const { return code < least || code > most; }
+    bool is_far(double code) const {
+        return least < most && std::max(least - code, code - most) > most - least;
+    }
+};
+
+std::vector<Column> columns_in(const Matrix& values, PacedPoll& polls) {
+    std::vector<Column> columns(static_cast<std::size_t>(values.cols()));
+    for (std::int64_t i = 0; i < values.rows(); ++i, polls.did(values.cols()))
+        for (std::size_t c = 0; c < columns.size(); ++c) {
+            const double number = values.row(i)[c];
+            if (may_be_code(number)) {
+                ++columns[c].codes[number];
+            } else if (!std::isnan(number)) {
+                columns[c].least = std::min(columns[c].least, number);
+                columns[c].most = std::max(columns[c].most, number);
+            }
+        }
+    return columns;
+}
+
+/// The cells of a code, by their columns.
+using Cells = std::map<std::size_t, std::int64_t>;
+
+/// What is outside in enough cells, and far outside in one column.
+std::map<double, Cells> codes_of(const std::vector<Column>& columns) {
+    std::map<double, std::int64_t> cells;
+    std::map<double, Cells> codes;
+    for (const Column& column : columns)
+        for (const auto& [code, count] : column.codes) {
+            cells[code] += column.is_outside(code) ? count : 0;
+            if (column.is_far(code))
+                codes[code];
+        }
+    std::erase_if(codes, [&](const auto& code) { return cells[code.first] < least_cells; });
+    return codes;
+}
+
+std::string note_of(double code, const Cells& cells, const std::vector<std::string>& names) {
+    std::int64_t count = 0;
+    std::vector<std::string> named;
+    for (const auto& [column, times] : cells) {
+        count += times;
+        if (!names.empty())
+            named.push_back(names[column]);
+    }
+    return format_text(
+        "{:.15g} is far outside the other numbers, as where a value is missing: taken "
+        "as missing, {} times in {} columns{}",
+        code, count, cells.size(), named.empty() ? "" : ": " + list_in_quotes(named, 3));
+}
+
+} // namespace
+
+void drop_missing_codes(Matrix& values, const std::vector<std::string>& names, PacedPoll& polls,
+                        std::vector<std::string>& notes) {
+    const std::vector<Column> columns = columns_in(values, polls);
+    std::map<double, Cells> codes = codes_of(columns);
+    if (codes.empty())
+        return;
+    for (std::int64_t i = 0; i < values.rows(); ++i, polls.did(values.cols()))
+        for (std::size_t c = 0; c < columns.size(); ++c) {
+            double& number = values.row(i)[c];
+            const auto code = may_be_code(number) ? codes.find(number) : codes.end();
+            if (code == codes.end() || !columns[c].is_outside(number))
+                continue;
+            ++code->second[c];
+            number = std::numeric_limits<double>::quiet_NaN();
+        }
+    for (const auto& [code, cells] : codes)
+        notes.push_back(note_of(code, cells, names));
+}
+
+} // namespace stltsa::clip
