@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/side_name.hpp"
 
+#include <algorithm>
 #include <array>
 #include <map>
 
@@ -9,6 +10,14 @@ namespace {
 
 constexpr std::array<std::array<std::string_view, 2>, 3> words = {
     {{"left", "right"}, {"Left", "Right"}, {"LEFT", "RIGHT"}}};
+
+/// Contacts of a foot with the ground, as systems and laboratories name them.
+constexpr std::string_view strikes[] = {"footstrike",  "heelstrike",  "initialcontact",
+                                        "footcontact", "heelcontact", "groundcontact",
+                                        "footdown",    "touchdown",   "fs",
+                                        "hs",          "ic",          "fc",
+                                        "hc",          "td"};
+constexpr std::string_view leaves[] = {"footoff", "toeoff", "liftoff", "footup", "fo", "to", "lo"};
 
 /// Longer names have no other side: the names that it might have could fill the memory.
 constexpr std::size_t longest = 256;
@@ -30,6 +39,43 @@ bool letter_before(std::string_view name, std::size_t at) {
 
 bool letter_at(std::string_view name, std::size_t at) {
     return at < name.size() && (is_letter(name[at]) || is_other_letter(name[at]));
+}
+
+/// The letters of a text in lower case.
+std::string letters_of(std::string_view text) {
+    std::string letters;
+    for (const char c : text)
+        if (is_letter(c))
+            letters += static_cast<char>(c | 0x20);
+    return letters;
+}
+
+/// "RHS" of "eRHS": programs of BTS begin the names of events so.
+std::string_view without_event_mark(std::string_view name) {
+    const bool has_mark = name.size() > 1 && name[0] == 'e' && name[1] >= 'A' && name[1] <= 'Z';
+    return name.substr(has_mark ? 1 : 0);
+}
+
+/// What a name says beside its side.
+struct BesideSide {
+    Side side = Side::neither;
+    std::string_view rest;
+};
+
+/// Letters in lower case as they are, and without the words and letters of sides with which they
+/// begin or end: "hs" of "lhs", "off" and "eftoff" of "leftoff".
+std::vector<BesideSide> beside_sides(std::string_view letters) {
+    std::vector<BesideSide> found{{Side::neither, letters}};
+    for (const Side side : {Side::left, Side::right}) {
+        const std::string_view word = words[0][static_cast<std::size_t>(side)];
+        for (const std::string_view stated : {word, word.substr(0, 1)}) {
+            if (letters.starts_with(stated))
+                found.push_back({side, letters.substr(stated.size())});
+            if (letters.ends_with(stated))
+                found.push_back({side, letters.substr(0, letters.size() - stated.size())});
+        }
+    }
+    return found;
 }
 
 std::string replaced(std::string_view name, std::size_t at, std::size_t length,
@@ -70,15 +116,16 @@ bool may_be_side(std::string_view name, std::size_t at, bool within_words) {
     if (within_words)
         return begins_word(name, at) || ends;
     const bool before_word = at + 1 < name.size() && name[at + 1] >= 'A' && name[at + 1] <= 'Z';
-    return !letter_before(name, at) && (ends || before_word);
+    const std::size_t begin = name.size() - without_event_mark(name).size();
+    return (at == begin || !letter_before(name, at)) && (ends || before_word);
 }
 
 /// Whether a letter that may state a side does so, judged by the characters that follow it: yes in
 /// LHS, LToe and "toe_l", no in L5 (a vertebra), LAND and RUN. In words in capitals, a vowel
-/// follows L or R; in abbreviations it seldom does.
+/// follows L or R; in abbreviations it seldom does, but for ON and OFF of muscles.
 bool is_side_letter(std::string_view name, std::size_t at) {
     constexpr std::string_view not_after = "AEIOU0123456789";
-    constexpr std::string_view abbreviations[] = {"ON", "OFF", "IC"}; // of contacts with the ground
+    constexpr std::string_view abbreviations[] = {"ON", "OFF"};
     std::size_t end = at + 1;
     while (end < name.size() && is_letter(name[end]))
         ++end;
@@ -93,7 +140,19 @@ bool is_side_letter(std::string_view name, std::size_t at) {
 
 } // namespace
 
+std::optional<FootEvent> foot_event(std::string_view name) {
+    const std::string letters = letters_of(without_event_mark(name));
+    for (const auto& [side, rest] : beside_sides(letters)) {
+        const bool is_strike = std::ranges::find(strikes, rest) != std::end(strikes);
+        if (is_strike || std::ranges::find(leaves, rest) != std::end(leaves))
+            return FootEvent{is_strike, side};
+    }
+    return std::nullopt;
+}
+
 Side side_of_name(std::string_view name) {
+    if (const auto event = foot_event(name))
+        return event->side;
     Side of_words = Side::neither, of_letters = Side::neither;
     bool words_differ = false, letters_differ = false;
     const auto add = [](Side found, Side& side, bool& differ) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,6 +15,16 @@ enum class Side { neither = -1, left = 0, right = 1 };
 /// The side that a name states: left for "left heel strike", "LHS" and "toe_l". None if the name
 /// states neither or both, and for parts of other words, as in "upright" and "rock".
 Side side_of_name(std::string_view name);
+
+/// A contact of a foot with the ground.
+struct FootEvent {
+    bool is_strike = false; ///< else the foot leaves the ground
+    Side side = Side::neither;
+};
+
+/// What a name such as "Foot Strike", "right heel contact", "LHS", "rto" or "eRTO" says. None if it
+/// is no such name.
+std::optional<FootEvent> foot_event(std::string_view name);
 
 /// A name on the other side of the body.
 struct OtherSide {

@@ -231,12 +231,15 @@ double rate_in(const File& file, Clip& clip) {
 /// The axis that points up on the screen of the program that wrote the file, such as "+Z".
 void read_up_axis(const File& file, Clip& clip) {
     const auto screen = file.parameter("point:y_screen").texts;
-    const std::string axis = screen.empty() ? "" : to_lower(screen[0]);
-    if (axis.empty() || axis.size() > 2 || axis.back() < 'x' || axis.back() > 'z')
+    if (screen.empty() || screen[0].empty())
         return;
-    clip.up = static_cast<Axis>(axis.back() - 'x' + 1);
-    if (axis[0] == '-')
-        clip.notes.push_back(format_text("POINT:Y_SCREEN is {}: the axis points down", axis));
+    std::string axis = to_lower(screen[0]);
+    std::erase_if(axis, [](char c) { return c == '+' || c == '-'; });
+    if (axis.size() != 1 || axis[0] < 'x' || axis[0] > 'z')
+        return clip.notes.push_back("POINT:Y_SCREEN is " + in_quotes(screen[0]) + ": no axis");
+    clip.up = static_cast<Axis>(axis[0] - 'x' + 1);
+    if (screen[0].find('-') != std::string::npos)
+        clip.notes.push_back(format_text("POINT:Y_SCREEN is {}: the axis points down", screen[0]));
 }
 
 /// Events of the parameters, or else of the header. Their times count from frame 1.
@@ -257,6 +260,13 @@ void read_events(const File& file, std::int64_t first, double fps, Clip& clip) {
             std::isfinite(frame))
             clip.events.push_back({frame - static_cast<double>(first - 1), labels[i], contexts[i]});
     std::ranges::stable_sort(clip.events, {}, &Event::frame);
+    const auto outside = std::ranges::count_if(clip.events, [&clip](const Event& event) {
+        return event.frame < -0.5 || event.frame >= static_cast<double>(clip.frames()) - 0.5;
+    });
+    if (outside > 0)
+        clip.notes.push_back(format_text("{} of {} events are before the first or after the last "
+                                         "frame of the file",
+                                         outside, clip.events.size()));
     if (clip.events.size() < labels.size())
         clip.notes.push_back(format_text("{} of {} events have no time in frames, and are left out",
                                          labels.size() - clip.events.size(), labels.size()));

@@ -81,6 +81,23 @@ void names_without_a_side(void**) {
     check({"lock", "clock", "lumber", "level"}, 0, Side::neither, 0);
 }
 
+/// Contacts with the ground have the side of their names.
+void names_of_events(void**) {
+    const std::pair<const char*, Side> names[] = {
+        {"eRHS", Side::right}, {"eLTO", Side::left},          {"rto", Side::right},
+        {"LIC", Side::left},   {"Left Foot Off", Side::left}, {"LON", Side::left},
+        {"ROFF", Side::right}, {"Foot Off", Side::neither},   {"ron", Side::neither},
+    };
+    for (const auto& [name, side] : names)
+        check({"head", name}, 1, side, 1);
+    check({"eRHS", "eLHS"}, 0, Side::right, 1);
+    const auto others = stltsa::other_sides("eRHS", false);
+    assert_true(others.size() == 1 && others[0].name == "eLHS");
+    assert_true(!stltsa::foot_event("LHEE") && !stltsa::foot_event("") && !stltsa::foot_event("e"));
+    assert_true(!stltsa::foot_event("left foot off")->is_strike);
+    assert_true(stltsa::foot_event("left heel strike")->is_strike);
+}
+
 /// A name without a partner has the side that it states; names of several points pair in order.
 void single_and_repeated_names(void**) {
     check({"LHEE", "head"}, 0, Side::left, 0);
@@ -105,6 +122,7 @@ int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(pairs_of_every_form),
         cmocka_unit_test(names_without_a_side),
+        cmocka_unit_test(names_of_events),
         cmocka_unit_test(single_and_repeated_names),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);

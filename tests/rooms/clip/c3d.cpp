@@ -278,6 +278,7 @@ void test_events(void**) {
     file.real_values("TIMES2", 3, {1, 0});
     Clip clip = parse(file.bytes(), Format::c3d);
     assert_int_equal(clip.events.size(), 3);
+    assert_true(notes(clip, "1 of 3 events are before the first or after the last frame"));
     assert_string_equal(clip.events[0].label.c_str(), "Foot Off");
     assert_string_equal(clip.events[0].context.c_str(), "Right");
     assert_true(std::abs(clip.events[0].frame - 0.5) < 1e-4);
@@ -346,7 +347,8 @@ void test_rates(void**) {
 
 /// A body that is wider than tall, as somebody who sits and reaches.
 void test_the_axis_that_points_up(void**) {
-    for (const auto& [text, up] : {std::pair{"+Z", Axis::z}, {"Y", Axis::y}, {"-x", Axis::x}}) {
+    for (const auto& [text, up] :
+         {std::pair{"+Z", Axis::z}, {"Y", Axis::y}, {"-x", Axis::x}, {"Z-", Axis::z}}) {
         Recording file;
         file.frames = 40;
         file.group("POINT", 1);
@@ -360,13 +362,15 @@ void test_the_axis_that_points_up(void**) {
         for (const std::string& note : made.notes)
             assert_true(note.find("guessed") == note.npos);
         assert_true(feature_rows(clip, {}, Axis::y, GapRule::fill).up == Axis::y);
-        assert_int_equal(notes(clip, "points down"), text[0] == '-');
+        assert_int_equal(notes(clip, "points down"), std::strchr(text, '-') != nullptr);
         assert_string_equal(clip.unit.c_str(), "mm");
     }
     Recording silent;
     silent.group("POINT", 1);
     silent.texts("Y_SCREEN", 1, {"up"});
-    assert_true(parse(silent.bytes(), Format::c3d).up == Axis::none);
+    const Clip clip = parse(silent.bytes(), Format::c3d);
+    assert_true(clip.up == Axis::none);
+    assert_true(notes(clip, "POINT:Y_SCREEN is 'up': no axis"));
 }
 
 void test_results_of_a_model(void**) {

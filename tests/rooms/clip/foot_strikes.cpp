@@ -39,6 +39,14 @@ void names_of_foot_strikes(void**) {
              {"Initial Contact", "Left", Side::left},
              {"IC", "Right", Side::right},
              {"hs", "", Side::neither},
+             {"eRHS", "", Side::right},
+             {"", "eLHS", Side::left},
+             {"rhs", "", Side::right},
+             {"l_ic", "", Side::left},
+             {"Touchdown", "Left Foot", Side::left},
+             {"RHS", "Left", Side::neither}, // they contradict each other
+             {"Left Foot Strike", "Right", Side::neither},
+             {"RHS", "Right", Side::right},
          }) {
         check_name({12.5, each.label, each.context}, 1);
         Clip clip;
@@ -59,6 +67,8 @@ void names_of_others(void**) {
                                                 {1, "", ""},
                                                 {1, "Foot Off", "LHS"},
                                                 {1, "LHSR", ""},
+                                                {1, "eRTO", ""},
+                                                {1, "eLEFT", "Left"},
                                                 {1, "basic", "Right"}})
         check_name(each, 0);
 }
