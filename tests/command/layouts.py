@@ -171,6 +171,18 @@ def prefixes(folder):
     yield Case(write(folder / "a.csv", table(walk_points(), lambda j, a: f"{a}_{j}")))
     yield Case(write(folder / "b.csv", table(walk_points(), lambda j, a: f"{a.upper()}.{j}", "yzx")))
     yield Case(write(folder / "c.csv", table(walk_points(), lambda j, a: a + j)))
+    for word in ("pos", "Position"):
+        yield Case(write(folder / "d.csv", table(walk_points(), lambda j, a: f"{word}_{a}_{j}")))
+
+
+@layout("axes that may be none: `heel_0` or `heel_1`; `v_x_heel`")
+def unclear_axes(folder):
+    for name, example in ((lambda j, a: f"{j}_{'xyz'.index(a)}", "Hips_0"),
+                          (lambda j, a: f"{j}_{'xyz'.index(a) + 1}", "Hips_1"),
+                          (lambda j, a: f"v_{a}_{j}", "v_x_Hips")):  # fmt: skip
+        named = "v_Hips_x" if example[0] == "v" else "Hips_x"
+        yield Case(write(folder / "a.csv", table(walk_points(), name)), note=f"{3 * len(JOINTS)} columns such as "
+                   f"'{example}' are not taken as coordinates of points: if they are, name them as in '{named}'")  # fmt: skip
 
 
 @layout("`heel[0]` or `heel[1]`, `heel (x)`")
@@ -436,6 +448,17 @@ def gaps(folder):
         filled = [[cell if cell else word for cell in line] for line in lines]
         yield Case(write(folder / "word.csv", filled), "missing")
     yield Case(write(folder / "semicolon.csv", lines, ";"), "missing")
+
+
+@layout("numbers for missing values: -9999, 999, 9999999")
+def codes(folder):
+    for code in ("-9999", "999", "9999999.000", "-9.999e6"):
+        filled = [[cell if cell else code for cell in line] for line in table(missing(), with_underscore)]
+        yield Case(write(folder / "a.csv", filled), "missing")
+    yield Case(folder / "a.csv", note="-9999000 is far outside the other numbers, as where a value is missing: taken "
+               "as missing, 30 times in 3 columns: 'LeftHand_x', 'LeftHand_y', 'LeftHand_z'")  # fmt: skip
+    bare = [["-9999" if cell == "" else cell for cell in line[1:]] for line in table(missing(), with_underscore)[1:]]
+    yield Case(write(folder / "b.csv", bare), note="taken as missing, 30 times in 3 columns")
 
 
 @layout("columns beside the points: text, other quantities")

@@ -2,7 +2,8 @@
 """The walk of layouts.py as TRC, MOT, STO and C3D."""
 
 from c3d_file import c3d
-from layouts import FPS, JOINTS, Case, coordinates, flat, layout, missing, single, times, upright, write, walk_points
+from layouts import (FPS, JOINTS, Case, coordinates, flat, layout, missing, single, single_missing, times, upright, write,
+                     walk_points)  # fmt: skip
 
 # ---- TRC ----
 
@@ -38,6 +39,10 @@ def trc_files(folder):
         yield Case(write(folder / "h.trc", [*lines[:3], each, *lines[4:]], "\t"), "upright")
     untimed = lines[:6] + [[line[0], "", *line[2:]] for line in lines[6:]]
     yield Case(write(folder / "i.trc", untimed, "\t"), "upright")
+    hand = 2 + 3 * JOINTS.index("LeftHand")
+    absent = [[*line[:hand], *[-9999] * 3, *line[hand + 3 :]] if 106 <= i < 116 else line for i, line in enumerate(lines)]
+    yield Case(write(folder / "j.trc", absent, "\t"), note="-9999 is far outside the other numbers, as where a value is "
+               "missing: taken as missing, 30 times in 3 columns: 'LeftHand_x'")  # fmt: skip
 
 
 @layout("TRC of several subjects: `Anna:heel`, `Ben:heel`")
@@ -114,6 +119,8 @@ def c3d_frames(folder):
     yield c3d_case(folder / "b.c3d", missing=gaps, like="single missing")
     yield c3d_case(folder / "c.c3d", missing=gaps, like="single missing", scale=1 / 16, order=">")
     yield c3d_case(folder / "d.c3d", first=704, analog=3)
+    coded = [[["-9999" if x == "" else x for x in point] for point in row] for row in single_missing()]
+    yield c3d_case(folder / "e.c3d", coded, like="single missing")
 
 
 @layout("C3D of several subjects: SUBJECTS:NAMES, LABEL_PREFIXES")
@@ -141,4 +148,6 @@ def c3d_subjects(folder):
     yield Case(case.path, error="there are 2 subjects, 'Anna', 'Ben'")
     yield c3d_case(folder / "b.c3d", parameters={"POINT": {"Y_SCREEN": ["+Z"]}})
     case = c3d_case(folder / "c.c3d", parameters={"POINT": {"Y_SCREEN": ["-X"]}})
-    yield Case(case.path, note="POINT:Y_SCREEN is -x: the axis points down")
+    yield Case(case.path, note="POINT:Y_SCREEN is -X: the axis points down")
+    case = c3d_case(folder / "d.c3d", parameters={"POINT": {"Y_SCREEN": ["up"]}})
+    yield Case(case.path, note="POINT:Y_SCREEN is 'up': no axis")

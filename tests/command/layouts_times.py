@@ -76,6 +76,26 @@ def dates(folder):
         yield Case(write(folder / "e.csv", timed("Datum", [form.format(second) for second in seconds])))
 
 
+@layout("times of day over midnight: 23:59:59.983, 00:00:00.000")
+def over_midnight(folder):
+    def of_day(i, form="{:02}:{:02}:{:09.6f}", start=86400 - 2):
+        seconds = (start + i / FPS) % 86400
+        return form.format(int(seconds // 3600), int(seconds // 60) % 60, seconds % 60)
+
+    cells = [of_day(i) for i in range(len(walk_points()))]
+    yield Case(write(folder / "a.csv", timed("time", cells)))
+    yield Case(folder / "a.csv", note="column 'time' passes midnight")
+    noon = [of_day(i, "12:{1:02}:{2:09.6f} AM" if i / FPS >= 2 else "11:{1:02}:{2:09.6f} PM") for i in range(len(cells))]
+    yield Case(write(folder / "b.csv", timed("time", noon)))
+    utc = [of_day(i, "{:02}:{:02}:{:09.6f}+02:00") for i in range(len(cells))]
+    yield Case(write(folder / "c.csv", timed("time", utc)))
+    lines = timed("date", ["2024-01-31"] * len(cells))  # the day on which the recording began
+    lines = [[line[0], clock, *line[1:]] for clock, line in zip(["time", *cells], lines)]
+    yield Case(write(folder / "d.csv", lines))
+    early = [of_day(i, start=3600 if i < 150 else 1800) for i in range(len(cells))]
+    yield Case(write(folder / "e.csv", timed("time", early)), error="e.csv:152: column 'time' is time, but does not")
+
+
 @layout("counters, such as `frame`, of any range")
 def counters(folder):
     fps = ("--fps", str(FPS))

@@ -295,6 +295,22 @@ void keep_points(const Columns& found, Clip& clip, const ReadOptions& options) {
                                      dropped, sure.rows() * sure.cols(), options.least_confidence));
 }
 
+/// Says that columns are taken as they are that may be coordinates, and how to name these.
+void note_unclear_axes(Clip& clip) {
+    for (const AxisPlace place :
+         {AxisPlace::numbered, AxisPlace::numbered_from_1, AxisPlace::between}) {
+        const Columns found = PointFinder(clip.channel_names, place).columns();
+        if (std::ssize(found.points) < least_points || !doubt(found, {}).empty())
+            continue;
+        const auto first = static_cast<std::size_t>(found.points[0].columns[0]);
+        return clip.notes.push_back(format_text(
+            "{} columns such as {} are not taken as coordinates of points: if they are, name them "
+            "as in {}",
+            coordinates_of(found), in_quotes(clip.channel_names[first]),
+            in_quotes(found.names[first])));
+    }
+}
+
 } // namespace
 
 void keep_columns(Clip& clip, const std::vector<std::int64_t>& columns, const Progress& progress) {
@@ -325,6 +341,8 @@ void take_points(Clip& clip, const std::string& file, const ReadOptions& options
         clip.notes.push_back("columns named as coordinates are of other quantities than positions, "
                              "by their names or units: " +
                              in_quotes(found.quantities[0]));
+    if (found.points.empty() && found.quantities.empty())
+        note_unclear_axes(clip);
     if (found.points.empty())
         return take_columns_of_subject(clip, file, options, stated);
     choose_subject(found, clip, file, options, stated);

@@ -58,6 +58,19 @@ std::optional<std::size_t> first_fault(const std::vector<double>& times) {
     return std::nullopt;
 }
 
+/// Times of day begin again at midnight: adds the days that have passed. Returns their number.
+std::int64_t add_days(std::vector<double>& times) {
+    std::int64_t days = 0;
+    double before = -seconds_a_day;
+    for (double& time : times) {
+        const double stated = time;
+        days += stated < before - seconds_a_day / 2 ? 1 : 0;
+        time += seconds_a_day * static_cast<double>(days);
+        before = std::isnan(stated) ? before : stated;
+    }
+    return days;
+}
+
 bool are_days(const std::vector<double>& dates) {
     return std::ranges::all_of(dates,
                                [](double date) { return std::fmod(date, seconds_a_day) == 0; });
@@ -127,9 +140,8 @@ class TimeColumns {
     /// The first column that can be the clock is; later ones are not channels if they are times.
     void take_time(std::int64_t column) {
         std::vector<double> values = column_of(clip_.values, column);
-        if (is_dated(column) && !days_.empty())
-            for (std::size_t i = 0; i < values.size(); ++i)
-                values[i] += values[i] < seconds_a_day ? days_[i] : 0;
+        if (is_dated(column))
+            take_day(column, values);
         const auto fault = first_fault(values);
         const TimeName named = time_name(title(column)).value_or(TimeName{1, false});
         if (has_clock_) {
@@ -149,6 +161,16 @@ class TimeColumns {
             take_clock(column, std::move(values), is_dated(column) ? 1 : named.unit, named.letter);
         else
             remove_column(column);
+    }
+
+    /// Adds the day to times that lack it.
+    void take_day(std::int64_t column, std::vector<double>& times) {
+        const bool lack_day = std::ranges::all_of(
+            times, [](double time) { return !(std::abs(time) >= 2 * seconds_a_day); });
+        for (std::size_t i = 0; i < days_.size(); ++i)
+            times[i] += times[i] < seconds_a_day ? days_[i] : 0;
+        if (lack_day && add_days(times) > 0)
+            note("column {} passes midnight", in_quotes(title(column)));
     }
 
     /// `unit`: 0 if it is not known; `letter`: the column is named t only.

@@ -55,8 +55,38 @@ Coordinate axis_last(std::string_view name, std::string_view indices) {
             is_capital || point.size() + 1 < name.size()};
 }
 
-Coordinate axis_first(std::string_view name) {
+/// Without a word for positions before it: "x_heel" of "pos_x_heel".
+std::string_view without_position(std::string_view name) {
+    constexpr std::string_view words[] = {"pos", "position", "loc", "location", "coord"};
+    const std::size_t end = name.find_first_of(separators);
+    const bool is_word = end != name.npos && std::ranges::any_of(words, [&](std::string_view word) {
+                             return equals_ignoring_case(name.substr(0, end), word);
+                         });
+    return is_word ? name.substr(end + 1) : name;
+}
+
+/// "heel_0", with a separator: not T10.
+Coordinate axis_numbered(std::string_view name, std::string_view indices) {
+    const std::size_t at = name.find_last_of(separators);
+    if (at == name.npos || at + 2 != name.size())
+        return {};
+    const std::size_t axis = indices.find(name.back());
+    return axis == indices.npos ? Coordinate() : named(name.substr(0, at), axis);
+}
+
+/// "v_x_heel", of "v_heel".
+Coordinate axis_between(std::string_view name) {
+    for (std::size_t at = name.find_first_of(separators); at != name.npos;
+         at = name.find_first_of(separators, at + 1))
+        if (at + 2 < name.size() && separators.find(name[at + 2]) != separators.npos)
+            if (const auto axis = axis_of(name.substr(at + 1, 1), {}))
+                return named(std::string(name.substr(0, at)).append(name.substr(at + 2)), *axis);
+    return {};
+}
+
+Coordinate axis_first(std::string_view column) {
     constexpr std::string_view digits = "0123456789";
+    std::string_view name = without_position(column);
     const auto axis = axis_of(name.substr(0, 1), {});
     if (!axis || name.size() < 2)
         return {};
@@ -137,8 +167,21 @@ std::string_view point_name(std::string_view coordinate) {
 
 Coordinate coordinate_of(std::string_view column, AxisPlace place) {
     const std::string_view name = without_unit(column);
-    return place == AxisPlace::first ? axis_first(name)
-                                     : axis_last(name, place == AxisPlace::last ? "012" : "123");
+    switch (place) {
+    case AxisPlace::first:
+        return axis_first(name);
+    case AxisPlace::numbered:
+        return axis_numbered(name, "012");
+    case AxisPlace::numbered_from_1:
+        return axis_numbered(name, "123");
+    case AxisPlace::between:
+        return axis_between(name);
+    case AxisPlace::last:
+        return axis_last(name, "012");
+    case AxisPlace::counted:
+        return axis_last(name, "123");
+    }
+    return {};
 }
 
 std::string_view point_of_confidence(std::string_view column) {

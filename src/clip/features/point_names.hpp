@@ -28,8 +28,10 @@ bool is_other_unit(std::string_view unit);
 
 /// Where the names have the axis: after the point, as "heel_x", "heel.Y", "heel z", "heelX",
 /// "heel:x", "heel[0]", "heel (x)", as a number from 1, as "heel[1]", or before it, as "x_heel",
-/// "X.heel", "xHeel", "x1".
-enum class AxisPlace { last, counted, first };
+/// "X.heel", "xHeel", "x1", "pos_x_heel". In the other places, what looks like an axis may be none:
+/// a number from 0 or from 1, as "heel_0", of joints of a finger; or between two words, as
+/// "v_x_heel".
+enum class AxisPlace { last, counted, first, numbered, numbered_from_1, between };
 
 /// A column that is named as the coordinate of a point.
 struct Coordinate {
