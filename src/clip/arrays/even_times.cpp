@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "base/error.hpp"
+#include "clip/clip.hpp"
 #include "clip/text/number.hpp"
 
 namespace stltsa::clip {
@@ -189,8 +190,16 @@ bool vary_slowly(std::span<const double> times) {
     return true;
 }
 
-EvenRows resampled(const Matrix& rows, const Clock& clock, TimeSteps steps,
-                   const std::string& where) {
+/// What is missing has no number that could be taken for one.
+void mark_missing(Matrix& rows, int width) {
+    for (std::int64_t i = 0; i < rows.rows(); ++i)
+        for (double* group = rows.row(i); group < rows.row(i) + rows.cols(); group += width)
+            if (is_missing(group, width))
+                std::fill_n(group, width, std::numeric_limits<double>::quiet_NaN());
+}
+
+EvenRows resampled(Matrix rows, const Clock& clock, TimeSteps steps, const std::string& where) {
+    mark_missing(rows, clock.width);
     const std::span<const double> times = clock.times;
     if (vary_slowly(times)) {
         steps.usual = steps.mean;
@@ -297,7 +306,7 @@ EvenRows even_rows(Matrix rows, const Clock& clock, const std::string& where) {
     if (!places.empty() && farthest(times, places) <= std::max(rounded, farthest_inferred))
         return placed_rows(std::move(rows), places, rate_of_places(places, clock), "the times",
                            where);
-    return resampled(rows, clock, steps, where);
+    return resampled(std::move(rows), clock, steps, where);
 }
 
 EvenRows counted_rows(Matrix rows, std::span<const std::int64_t> counts, const std::string& where) {

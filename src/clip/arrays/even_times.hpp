@@ -37,6 +37,7 @@ struct Clock {
     std::span<const double> times;        ///< seconds, increasing; two or more
     std::span<const std::int64_t> counts; ///< of rows, from 0, increasing; empty: not counted
     double fps = 0;                       ///< said beside the times; 0: nothing is said
+    int width = 1;                        ///< columns of a group, which may be missing
 };
 
 /// Rows at a constant rate.

@@ -63,7 +63,8 @@ void set_rate(const PointArrays& arrays, Clip& clip) {
     std::vector<double> times;
     for (std::int64_t i = 0; i < arrays.times.rows; ++i)
         times.push_back(arrays.times(i, 0));
-    EvenRows even = even_rows(std::move(clip.values), {times, {}, arrays.fps}, "times");
+    EvenRows even =
+        even_rows(std::move(clip.values), {times, {}, arrays.fps, arrays.space}, "times");
     if (arrays.fps > 0 && std::abs(even.fps - arrays.fps) > same_rate * arrays.fps)
         fail(Status::argument,
              "fps is {:g}, but the times are {:g} a second: give one of them, or correct the other",

@@ -353,8 +353,8 @@ Clip parse_csv(std::string_view bytes, const std::string& name, const ReadOption
     CsvReader reader(in, clip, options);
     reader.read();
     const TableFacts facts = reader.facts();
-    extract_time(clip, facts, name, options);
-    take_points(clip, name, options, facts.subjects);
+    extract_time(clip, facts, name, options,
+                 [&] { take_points(clip, name, options, facts.subjects); });
     return clip;
 }
 

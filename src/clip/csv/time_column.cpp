@@ -83,7 +83,7 @@ class TimeColumns {
         : clip_(clip), facts_(facts), name_(name), options_(options), said_(clip.fps),
           removed_(clip.channel_names.size()) {}
 
-    void extract() {
+    void extract(const std::function<void()>& take_channels) {
         std::vector<std::int64_t> found = candidates();
         std::erase_if(found, [this](std::int64_t column) { return take_days(column); });
         for (const std::int64_t column : found)
@@ -92,6 +92,7 @@ class TimeColumns {
         if (!has_clock_ && !options_.fps && said_ == 0)
             guess_clock();
         remove();
+        take_channels();
         if (!times_.empty())
             use_times();
         else if (!counts_.empty())
@@ -347,9 +348,10 @@ class TimeColumns {
             return;
         }
         const bool holes = !counts_.empty() && counts_.back() >= std::ssize(counts_);
-        EvenRows even =
-            even_rows(std::move(clip_.values),
-                      {times_, holes ? counts_ : std::vector<std::int64_t>(), said_}, name_);
+        EvenRows even = even_rows(std::move(clip_.values),
+                                  {times_, holes ? counts_ : std::vector<std::int64_t>(), said_,
+                                   std::max(1, clip_.space)},
+                                  name_);
         clip_.fps = even.fps;
         if (holes && even.rows.rows() != counts_.back() + 1)
             note("the count of frames skips {}, but the times do not: the times are used",
@@ -401,15 +403,15 @@ bool is_plausible_rate(double rate) {
 }
 
 void extract_time(Clip& clip, const TableFacts& facts, const std::string& name,
-                  const ReadOptions& options) {
+                  const ReadOptions& options, const std::function<void()>& take_channels) {
     const bool unnamed = clip.channel_names.empty();
     if (unnamed && facts.dated.empty() && clip.values.rows() > 1)
         note_unnamed_time(clip);
     if (unnamed && facts.dated.empty())
-        return;
+        return take_channels();
     if (unnamed) // so that the dates can be removed
         clip.channel_names.assign(static_cast<std::size_t>(clip.values.cols()), "x");
-    TimeColumns(clip, facts, name, options).extract();
+    TimeColumns(clip, facts, name, options).extract(take_channels);
     if (unnamed)
         clip.channel_names.clear();
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
+
 #include "clip/clip.hpp"
 #include "clip/csv/table.hpp"
 
@@ -19,8 +21,11 @@ bool is_plausible_rate(double rate);
 ///   unless option fps is set, which makes the rows even.
 /// - If the clock contradicts what is said elsewhere, the clock is used.
 /// Notes say which columns are removed, and what was assumed. Fails, at the line, if time goes back
-/// or is missing, unless option fps is set.
-void extract_time(Clip& clip, const TableFacts& facts, const std::string& name,
-                  const ReadOptions& options);
+/// or is missing, unless option fps is set. `take_channels`: called when the other columns remain,
+/// before their rows are resampled, as a point that is missing in one row has no place halfway to
+/// the next.
+void extract_time(
+    Clip& clip, const TableFacts& facts, const std::string& name, const ReadOptions& options,
+    const std::function<void()>& take_channels = [] {});
 
 } // namespace stltsa::clip

@@ -115,11 +115,12 @@ Clip parse_mot(std::string_view bytes, const std::string& name, const ReadOption
     note_other_count(clip, "nRows", header.said("nrows"), clip.values.rows());
     note_other_count(clip, "nColumns", header.said("ncolumns"), header.written());
     note_angles(clip, header.said("indegrees"));
-    extract_time(clip, facts, name, options);
-    if (equals_ignoring_case(header.said("datatype"), "Vec3"))
-        take_points(clip, name, options);
-    else
-        take_columns_of_subject(clip, name, options);
+    extract_time(clip, facts, name, options, [&] {
+        if (equals_ignoring_case(header.said("datatype"), "Vec3"))
+            take_points(clip, name, options);
+        else
+            take_columns_of_subject(clip, name, options);
+    });
     return clip;
 }
 

@@ -122,23 +122,26 @@ bool is_missing(const Clip& clip, std::int64_t row, std::int64_t column) {
     return std::isnan(clip.values(row, column));
 }
 
-/// Before rows are resampled: between a position and a code there is nothing.
-void codes_at_uneven_times(void**) {
-    std::string text = "time,a_x,a_y,b_x,b_y,c_x,c_y\n";
-    for (int i = 0; i < 60; ++i) {
-        text += stltsa::format_text("{:.4f}", i / 30.0 + 0.02 * std::sin(0.3 * i));
-        for (int c = 0; c < 6; ++c)
-            text += i >= 20 && i < 30 && c > 3 ? ",-999" : stltsa::format_text(",{}", i + c);
-        text += '\n';
-    }
-    const Clip clip = csv(text);
-    std::int64_t missing = 0;
-    for (std::int64_t i = 0; i < clip.frames(); ++i)
-        for (std::int64_t c = 0; c < 6; ++c) {
-            assert_true(!(clip.values(i, c) < 0));
-            missing += std::isnan(clip.values(i, c)) ? 1 : 0;
+/// Between a position and nothing there is no position, when rows are resampled.
+void missing_points_at_uneven_times(void**) {
+    for (const char* absent : {"-999", "0", ""}) {
+        std::string text = "time,a_x,a_y,b_x,b_y,c_x,c_y\n";
+        for (int i = 0; i < 60; ++i) {
+            text += stltsa::format_text("{:.4f}", i / 30.0 + 0.02 * std::sin(0.3 * i));
+            for (int c = 0; c < 6; ++c)
+                text += i >= 20 && i < 30 && c > 3 ? stltsa::format_text(",{}", absent)
+                                                   : stltsa::format_text(",{}", 100 + i + c);
+            text += '\n';
         }
-    assert_in_range(missing, 18, 24);
+        const Clip clip = csv(text);
+        std::int64_t missing = 0;
+        for (std::int64_t i = 0; i < clip.frames(); ++i)
+            for (std::int64_t c = 0; c < 6; ++c) {
+                assert_true(!(clip.values(i, c) < 100));
+                missing += std::isnan(clip.values(i, c)) ? 1 : 0;
+            }
+        assert_in_range(missing, 18, 24);
+    }
 }
 
 void uneven_times_are_resampled(void**) {
@@ -403,7 +406,7 @@ int main() {
         cmocka_unit_test(numbered_columns_are_a_header),
         cmocka_unit_test(time_at_an_implausible_rate_is_a_channel),
         cmocka_unit_test(time_gives_the_rate_and_is_not_a_channel),
-        cmocka_unit_test(codes_at_uneven_times),
+        cmocka_unit_test(missing_points_at_uneven_times),
         cmocka_unit_test(uneven_times_are_resampled),
         cmocka_unit_test(many_columns_of_time_take_linear_time),
         cmocka_unit_test(cells_without_a_value_are_gaps),
