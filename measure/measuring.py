@@ -53,6 +53,16 @@ def binding(build):
     return stltsa
 
 
+def without_events(stltsa, clip):
+    """The points of a C3D clip alone: at its foot strikes the library would begin the cycles."""
+    import numpy as np
+    with tempfile.TemporaryDirectory() as folder:
+        clip.save(f"{folder}/clip.npy")
+        points = np.load(f"{folder}/clip.npy")
+    names = [name.removesuffix("_x") for name in clip.facts["channel"][::3]]
+    return stltsa.Clip.from_points(points, clip.fps, names=names)
+
+
 def pair(names, pairs):
     """Indices of the first pair with both names present."""
     return next((names.index(a), names.index(b)) for a, b in pairs if a in names and b in names)
