@@ -12,12 +12,13 @@ constexpr std::array<std::array<std::string_view, 2>, 3> words = {
     {{"left", "right"}, {"Left", "Right"}, {"LEFT", "RIGHT"}}};
 
 /// Contacts of a foot with the ground, as systems and laboratories name them.
-constexpr std::string_view strikes[] = {"footstrike",  "heelstrike",  "initialcontact",
-                                        "footcontact", "heelcontact", "groundcontact",
-                                        "footdown",    "touchdown",   "fs",
-                                        "hs",          "ic",          "fc",
-                                        "hc",          "td"};
-constexpr std::string_view leaves[] = {"footoff", "toeoff", "liftoff", "footup", "fo", "to", "lo"};
+constexpr std::string_view strike_names[] = {"footstrike",  "heelstrike",  "initialcontact",
+                                             "footcontact", "heelcontact", "groundcontact",
+                                             "footdown",    "touchdown",   "fs",
+                                             "hs",          "ic",          "fc",
+                                             "hc",          "td"};
+constexpr std::string_view leave_names[] = {"footoff", "toeoff", "liftoff", "footup",
+                                            "fo",      "to",     "lo"};
 
 /// Longer names have no other side: the names that it might have could fill the memory.
 constexpr std::size_t longest = 256;
@@ -143,8 +144,8 @@ bool is_side_letter(std::string_view name, std::size_t at) {
 std::optional<FootEvent> foot_event(std::string_view name) {
     const std::string letters = letters_of(without_event_mark(name));
     for (const auto& [side, rest] : beside_sides(letters)) {
-        const bool is_strike = std::ranges::find(strikes, rest) != std::end(strikes);
-        if (is_strike || std::ranges::find(leaves, rest) != std::end(leaves))
+        const bool is_strike = std::ranges::find(strike_names, rest) != std::end(strike_names);
+        if (is_strike || std::ranges::find(leave_names, rest) != std::end(leave_names))
             return FootEvent{is_strike, side};
     }
     return std::nullopt;

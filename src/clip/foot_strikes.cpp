@@ -5,7 +5,7 @@ namespace stltsa::clip {
 namespace {
 
 /// Of the name and of what the event happens to: neither if they contradict each other.
-Side both_sides(Side of_name, Side of_context) {
+Side agreed_side(Side of_name, Side of_context) {
     if (of_name == Side::neither || of_context == Side::neither)
         return of_name == Side::neither ? of_context : of_name;
     return of_name == of_context ? of_name : Side::neither;
@@ -18,7 +18,7 @@ std::vector<FootStrike> foot_strikes(const Clip& clip) {
     for (const Event& event : clip.events) { // some programs write names in the place of contexts
         const auto named = foot_event(event.label.empty() ? event.context : event.label);
         if (named && named->is_strike)
-            strikes.push_back({event.frame, both_sides(named->side, side_of_name(event.context))});
+            strikes.push_back({event.frame, agreed_side(named->side, side_of_name(event.context))});
     }
     return strikes;
 }

@@ -31,7 +31,7 @@ bool may_be_code(double number) {
     return are_enough && digits == 0;
 }
 
-struct Column {
+struct NumberColumn {
     double least = std::numeric_limits<double>::infinity(), most = -least; ///< of the others
     std::map<double, std::int64_t> codes;                                  ///< cells of each
 
@@ -41,8 +41,8 @@ struct Column {
     }
 };
 
-std::vector<Column> columns_in(const Matrix& values, PacedPoll& polls) {
-    std::vector<Column> columns(static_cast<std::size_t>(values.cols()));
+std::vector<NumberColumn> columns_in(const Matrix& values, PacedPoll& polls) {
+    std::vector<NumberColumn> columns(static_cast<std::size_t>(values.cols()));
     for (std::int64_t i = 0; i < values.rows(); ++i, polls.did(values.cols()))
         for (std::size_t c = 0; c < columns.size(); ++c) {
             const double number = values.row(i)[c];
@@ -57,13 +57,13 @@ std::vector<Column> columns_in(const Matrix& values, PacedPoll& polls) {
 }
 
 /// The cells of a code, by their columns.
-using Cells = std::map<std::size_t, std::int64_t>;
+using CodeCells = std::map<std::size_t, std::int64_t>;
 
 /// What is outside in enough cells, and far outside in one column.
-std::map<double, Cells> codes_of(const std::vector<Column>& columns) {
+std::map<double, CodeCells> codes_of(const std::vector<NumberColumn>& columns) {
     std::map<double, std::int64_t> cells;
-    std::map<double, Cells> codes;
-    for (const Column& column : columns)
+    std::map<double, CodeCells> codes;
+    for (const NumberColumn& column : columns)
         for (const auto& [code, count] : column.codes) {
             cells[code] += column.is_outside(code) ? count : 0;
             if (column.is_far(code))
@@ -73,7 +73,7 @@ std::map<double, Cells> codes_of(const std::vector<Column>& columns) {
     return codes;
 }
 
-std::string note_of(double code, const Cells& cells, const std::vector<std::string>& names) {
+std::string note_of(double code, const CodeCells& cells, const std::vector<std::string>& names) {
     std::int64_t count = 0;
     std::vector<std::string> named;
     for (const auto& [column, times] : cells) {
@@ -91,8 +91,8 @@ std::string note_of(double code, const Cells& cells, const std::vector<std::stri
 
 void drop_missing_codes(Matrix& values, const std::vector<std::string>& names, PacedPoll& polls,
                         std::vector<std::string>& notes) {
-    const std::vector<Column> columns = columns_in(values, polls);
-    std::map<double, Cells> codes = codes_of(columns);
+    const std::vector<NumberColumn> columns = columns_in(values, polls);
+    std::map<double, CodeCells> codes = codes_of(columns);
     if (codes.empty())
         return;
     for (std::int64_t i = 0; i < values.rows(); ++i, polls.did(values.cols()))

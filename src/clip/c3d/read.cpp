@@ -154,25 +154,31 @@ std::vector<std::string> names_of(const File& file, const Layout& layout, Clip& 
     return names;
 }
 
-/// Whether the name ends as those that models give to angles, forces, moments and powers.
+/// The parameters that list results of a model.
+constexpr std::string_view result_kinds[] = {"angles", "forces",  "moments",
+                                             "powers", "scalars", "reactions"};
+
+/// Whether the name ends as such results are named: LHipAngles, GroundReactionForce.
 bool names_result(std::string_view name) {
-    if (name.ends_with('s'))
-        name.remove_suffix(1);
-    constexpr std::string_view ends[] = {"Angle", "Force", "Moment", "Power"};
-    return std::ranges::any_of(ends, [&](std::string_view end) { return name.ends_with(end); });
+    return std::ranges::any_of(result_kinds, [&](std::string_view kind) {
+        if (!name.ends_with('s'))
+            kind.remove_suffix(1);
+        const std::string_view end = name.substr(name.size() - std::min(name.size(), kind.size()));
+        return !end.empty() && end[0] >= 'A' && end[0] <= 'Z' && to_lower(end) == kind;
+    });
 }
 
 /// The points that are positions. Parameters list others, the results of a model.
 std::vector<std::size_t> positions_in(const File& file, const std::vector<std::string>& names,
                                       Clip& clip) {
-    std::set<std::string> results;
-    for (const char* kind : {"angles", "forces", "moments", "powers", "scalars", "reactions"})
+    std::set<std::string> listed;
+    for (const std::string_view kind : result_kinds)
         for (const std::string& name : file.parameter(format_text("point:{}", kind)).texts)
-            results.insert(name);
+            listed.insert(name);
     std::vector<std::size_t> kept;
     std::vector<std::string> left_out;
     for (std::size_t p = 0; p < names.size(); ++p)
-        if (results.contains(names[p]) || names_result(names[p]))
+        if (listed.contains(names[p]) || names_result(names[p]))
             left_out.push_back(names[p]);
         else
             kept.push_back(p);

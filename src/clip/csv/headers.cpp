@@ -77,10 +77,8 @@ bool is_beside_names(const Line& cells) {
 }
 
 /// "X", or the "X1" of some programs, which number the points.
-bool is_axis(std::string_view cell) {
-    constexpr std::string_view axes = "xyzXYZ", digits = "0123456789";
-    return !cell.empty() && axes.find(cell[0]) != axes.npos &&
-           cell.find_first_not_of(digits, 1) == cell.npos;
+bool is_numbered_axis(std::string_view cell) {
+    return is_axis(cell.substr(0, 1)) && cell.find_first_not_of("0123456789", 1) == cell.npos;
 }
 
 /// A name stands above the first of its columns.
@@ -336,7 +334,7 @@ class HeadReader {
     bool has_titles(const std::vector<Line>& levels, std::size_t c) const {
         const Line& top = levels.front();
         return c < 2 && levels.size() > 1 && columns_ > 2 && top[c] != top[c == 0 ? 1 : 2] &&
-               !(c == 1 && (top[c] == top[0] || is_axis(top[c])));
+               !(c == 1 && (top[c] == top[0] || is_numbered_axis(top[c])));
     }
 
     /// The name of an index.
@@ -360,7 +358,7 @@ class HeadReader {
                 continue;
             if (!name.empty())
                 name += between;
-            name += !name.empty() && is_axis(level[c]) ? level[c].substr(0, 1) : level[c];
+            name += !name.empty() && is_numbered_axis(level[c]) ? level[c].substr(0, 1) : level[c];
             const bool is_subject = is_labelled(level, names_subject);
             between = is_subject ? ':' : '_';
             if (is_subject && (subjects.empty() || subjects.back().name != level[c]))

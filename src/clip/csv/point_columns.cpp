@@ -170,14 +170,12 @@ Columns find_points(const std::vector<std::string>& names) {
 
 /// Whether the last word of a file's name is one for angles, as of "walk_rot.csv".
 bool is_named_after_angles(const std::string& file) {
-    constexpr std::string_view words[] = {"rot",    "rots", "rotation", "rotations", "angle",
-                                          "angles", "ang",  "euler",    "eulers",    "orientation"};
     const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
     std::string stem = to_lower(std::filesystem::path(file).stem().string());
     while (!stem.empty() && !is_letter(stem.back()))
         stem.pop_back();
     const auto before = std::find_if_not(stem.rbegin(), stem.rend(), is_letter);
-    return std::ranges::find(words, std::string_view(before.base(), stem.end())) != std::end(words);
+    return is_angle(std::string_view(before.base(), stem.end()));
 }
 
 std::size_t coordinates_of(const Columns& found) {

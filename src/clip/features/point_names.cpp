@@ -109,6 +109,10 @@ bool has_word(const std::string& stem, std::string_view word) {
     return (at == 0 || !is_letter(stem[at - 1])) && (end == stem.size() || !is_letter(stem[end]));
 }
 
+/// In the names of angles; the others may be parts of other words, as "ang" of "hand angle".
+constexpr std::string_view angle_parts[] = {"angle", "rotation", "euler", "orientation"};
+constexpr std::string_view angle_words[] = {"ang", "rot"};
+
 /// Every index that may be that of an axis.
 constexpr std::string_view all_indices = "0123";
 
@@ -122,6 +126,10 @@ std::size_t length_of(std::string_view name) {
 }
 
 } // namespace
+
+bool is_axis(std::string_view text) {
+    return axis_of(text, {}).has_value();
+}
 
 std::string_view unit_of(std::string_view name) {
     const std::string_view whole = trim(name), unit = in_bracket(whole);
@@ -195,16 +203,21 @@ std::string_view point_of_confidence(std::string_view column) {
     return {};
 }
 
+bool is_angle(std::string_view word) {
+    const std::string_view one = word.substr(0, word.size() - (word.ends_with('s') ? 1 : 0));
+    return std::ranges::find(angle_parts, one) != std::end(angle_parts) ||
+           std::ranges::find(angle_words, one) != std::end(angle_words);
+}
+
 bool is_other_quantity(std::string_view point) {
-    constexpr std::string_view parts[] = {"angle",  "rotation", "euler", "quat",  "accel",
-                                          "gyr",    "magn",     "veloc", "ornt",  "jntang",
-                                          "torque", "moment",   "force", "power", "orientation"};
-    constexpr std::string_view words[] = {"acc", "ang", "mag", "rot", "vel"};
+    constexpr std::string_view parts[] = {"quat",   "accel",  "gyr",    "magn",  "veloc", "ornt",
+                                          "jntang", "torque", "moment", "force", "power"};
+    constexpr std::string_view words[] = {"acc", "mag", "vel"};
     const std::string stem = to_lower(point);
-    return std::any_of(std::begin(parts), std::end(parts),
-                       [&](std::string_view part) { return stem.find(part) != stem.npos; }) ||
-           std::any_of(std::begin(words), std::end(words),
-                       [&](std::string_view word) { return has_word(stem, word); });
+    const auto has_part = [&](std::string_view part) { return stem.find(part) != stem.npos; };
+    const auto has = [&](std::string_view word) { return has_word(stem, word); };
+    return std::ranges::any_of(parts, has_part) || std::ranges::any_of(angle_parts, has_part) ||
+           std::ranges::any_of(words, has) || std::ranges::any_of(angle_words, has);
 }
 
 bool names_coordinate(const std::vector<std::string>& names, std::size_t column) {

@@ -11,6 +11,9 @@ namespace stltsa::clip {
 /// Fewer points have no shape whose path and heading could be removed.
 constexpr std::int64_t least_points = 3;
 
+/// Whether the text is x, y or z.
+bool is_axis(std::string_view text);
+
 /// The name of a coordinate, not empty, without its axis: "heel" of "heel_x".
 std::string_view point_name(std::string_view coordinate);
 
@@ -46,6 +49,9 @@ Coordinate coordinate_of(std::string_view column, AxisPlace place);
 /// The point that a column of likelihood, confidence or score belongs to, "nose" of "nose_score".
 /// Empty: it is not named so.
 std::string_view point_of_confidence(std::string_view column);
+
+/// Whether a word in lower case is one for angles, such as "rot" and "angles".
+bool is_angle(std::string_view word);
 
 /// Whether the name is that of a sensor or a result of a model, such as "hip angle", and not of a
 /// point.
