@@ -148,6 +148,8 @@ def c3d_subjects(folder):
     yield Case(case.path, error="there are 2 subjects, 'Anna', 'Ben'")
     yield c3d_case(folder / "b.c3d", parameters={"POINT": {"Y_SCREEN": ["+Z"]}})
     case = c3d_case(folder / "c.c3d", parameters={"POINT": {"Y_SCREEN": ["-X"]}})
-    yield Case(case.path, note="POINT:Y_SCREEN is -X: the axis points down")
-    case = c3d_case(folder / "d.c3d", parameters={"POINT": {"Y_SCREEN": ["up"]}})
+    yield Case(case.path, note="POINT:Y_SCREEN is -X: turned over, so that x points up")
+    over = [[[x, repr(-float(y)), repr(-float(z))] for x, y, z in row] for row in single()]
+    yield c3d_case(folder / "d.c3d", over, parameters={"POINT": {"Y_SCREEN": ["-Z"]}})
+    case = c3d_case(folder / "e.c3d", parameters={"POINT": {"Y_SCREEN": ["up"]}})
     yield Case(case.path, note="POINT:Y_SCREEN is 'up': no axis")

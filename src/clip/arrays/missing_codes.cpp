@@ -14,21 +14,23 @@ namespace {
 constexpr std::int64_t least_cells = 3;
 
 /// Whether the number may be a code: its digits are nines, perhaps zeros after them if a unit was
-/// changed, or it is the largest of single or double precision.
+/// changed; a power of ten from a million; or the largest number of single or double precision.
 bool may_be_code(double number) {
-    constexpr double shortest = 999, longest = 1e18;
-    const double size = std::abs(number);
-    if (size == std::numeric_limits<float>::max() || size == std::numeric_limits<double>::max())
+    constexpr double shortest = 999, longest = 1e16, million = 1e6, hundredths = 100;
+    constexpr double largest = std::numeric_limits<float>::max(), rounded = 1e-6;
+    const double size = std::abs(number), whole = std::round(hundredths * size);
+    if (std::abs(size - largest) <= rounded * largest || size == std::numeric_limits<double>::max())
         return true;
-    if (!(size >= shortest && size < longest) || size != std::floor(size))
+    if (!(size >= shortest && size < longest) || std::abs(whole / hundredths - size) > 0)
         return false;
-    auto digits = static_cast<std::int64_t>(size);
+    auto digits = static_cast<std::int64_t>(whole);
     while (digits % 10 == 0)
         digits /= 10;
     const bool are_enough = digits >= static_cast<std::int64_t>(shortest);
+    const bool is_power = digits == 1 && size >= million;
     while (digits % 10 == 9)
         digits /= 10;
-    return are_enough && digits == 0;
+    return is_power || (are_enough && digits == 0);
 }
 
 struct NumberColumn {
@@ -36,8 +38,9 @@ struct NumberColumn {
     std::map<double, std::int64_t> codes;                                  ///< cells of each
 
     bool is_outside(double code) const { return code < least || code > most; }
+    /// Equal numbers tell no distance; a column without others is no measurement.
     bool is_far(double code) const {
-        return least < most && std::max(least - code, code - most) > most - least;
+        return least > most || (least < most && std::max(least - code, code - most) > most - least);
     }
 };
 

@@ -10,9 +10,10 @@
 
 namespace stltsa::clip {
 
-/// Makes them NaN, and says which and how many. Their digits are nines (999, -9999, 9999000), or they
-/// are the largest of their precision; they are in three cells or more outside the other numbers of
-/// the column, and in one column farther than these are apart.
+/// Makes them NaN, and says which and how many. Such numbers are of nines (999, -9999, 9999000),
+/// powers of ten from a million, or the largest of their precision. They are in three cells or more
+/// outside the other numbers of the column, and in one column farther than these are apart, or
+/// alone.
 void drop_missing_codes(Matrix& values, const std::vector<std::string>& names, PacedPoll& polls,
                         std::vector<std::string>& notes);
 

@@ -234,6 +234,15 @@ double rate_in(const File& file, Clip& clip) {
     return stated;
 }
 
+/// Turns points half a turn about another axis than this one.
+void turn_over(Matrix& values, int axis) {
+    for (std::int64_t i = 0; i < values.rows(); ++i)
+        for (double* point = values.row(i); point < values.row(i) + values.cols(); point += 3) {
+            point[axis] = -point[axis];
+            point[(axis + 1) % 3] = -point[(axis + 1) % 3];
+        }
+}
+
 /// The axis that points up on the screen of the program that wrote the file, such as "+Z".
 void read_up_axis(const File& file, Clip& clip) {
     const auto screen = file.parameter("point:y_screen").texts;
@@ -243,9 +252,13 @@ void read_up_axis(const File& file, Clip& clip) {
     std::erase_if(axis, [](char c) { return c == '+' || c == '-'; });
     if (axis.size() != 1 || axis[0] < 'x' || axis[0] > 'z')
         return clip.notes.push_back("POINT:Y_SCREEN is " + in_quotes(screen[0]) + ": no axis");
-    clip.up = static_cast<Axis>(axis[0] - 'x' + 1);
-    if (screen[0].find('-') != std::string::npos)
-        clip.notes.push_back(format_text("POINT:Y_SCREEN is {}: the axis points down", screen[0]));
+    const int up = axis[0] - 'x';
+    clip.up = static_cast<Axis>(up + 1);
+    if (screen[0].find('-') == std::string::npos)
+        return;
+    turn_over(clip.values, up);
+    clip.notes.push_back(
+        format_text("POINT:Y_SCREEN is {}: turned over, so that {} points up", screen[0], axis));
 }
 
 /// Events of the parameters, or else of the header. Their times count from frame 1.

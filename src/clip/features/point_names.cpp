@@ -55,14 +55,20 @@ Coordinate axis_last(std::string_view name, std::string_view indices) {
             is_capital || point.size() + 1 < name.size()};
 }
 
-/// Without a word for positions before it: "x_heel" of "pos_x_heel".
+/// Without a word for positions before it: "x_heel" of "pos_x_heel" and "posX_heel".
 std::string_view without_position(std::string_view name) {
-    constexpr std::string_view words[] = {"pos", "position", "loc", "location", "coord"};
-    const std::size_t end = name.find_first_of(separators);
-    const bool is_word = end != name.npos && std::ranges::any_of(words, [&](std::string_view word) {
-                             return equals_ignoring_case(name.substr(0, end), word);
-                         });
-    return is_word ? name.substr(end + 1) : name;
+    constexpr std::string_view words[] = {"position", "pos", "location", "loc", "coord"};
+    const auto separates = [&](std::size_t at) {
+        return at < name.size() && separators.find(name[at]) != separators.npos;
+    };
+    for (const std::string_view word : words)
+        if (const std::size_t end = word.size(); starts_with_ignoring_case(name, word)) {
+            if (separates(end))
+                return name.substr(end + 1);
+            if (separates(end + 1) && axis_of(name.substr(end, 1), {}))
+                return name.substr(end);
+        }
+    return name;
 }
 
 /// "heel_0", with a separator: not T10.

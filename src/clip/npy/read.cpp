@@ -125,7 +125,7 @@ Clip parse_npy(std::string_view bytes, const std::string& name, const ReadOption
     if (const std::int64_t jump = find_jump(clip.values.view(), std::max(1, clip.space)); jump > 0)
         clip.notes.push_back(format_text(
             "the numbers jump at frame {}: if frames were lost there, insert them as NaN, or save "
-            "points with their times in another format",
+            "points with their times in another format; if they are angles, unwrap them",
             jump));
     return clip;
 }

@@ -362,7 +362,13 @@ void test_the_axis_that_points_up(void**) {
         for (const std::string& note : made.notes)
             assert_true(note.find("guessed") == note.npos);
         assert_true(feature_rows(clip, {}, Axis::y, GapRule::fill).up == Axis::y);
-        assert_int_equal(notes(clip, "points down"), std::strchr(text, '-') != nullptr);
+        const bool is_down = std::strchr(text, '-') != nullptr;
+        assert_int_equal(notes(clip, "turned over"), is_down);
+        const int axis = static_cast<int>(up) - 1, beside = (axis + 1) % 3;
+        for (const int each : {0, 1, 2}) {
+            const double sign = is_down && (each == axis || each == beside) ? -1 : 1;
+            assert_true(clip.values(3, each) == sign * Recording::value(3, 0, each));
+        }
         assert_string_equal(clip.unit.c_str(), "mm");
     }
     Recording silent;

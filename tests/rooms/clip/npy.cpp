@@ -238,8 +238,9 @@ std::size_t missing_in(const Clip& clip) {
 
 /// Numbers of nines, far from all others.
 void codes_for_missing_values(void**) {
-    for (const double code : {-9999.0, 999.0, 9999999.0, -999000.0, -9.223372036854775e18,
-                              static_cast<double>(std::numeric_limits<float>::max())}) {
+    for (const double code :
+         {-9999.0, 999.0, 999.9, 9999999.0, -999000.0, -1e6, -9.223372036854775e18,
+          static_cast<double>(std::numeric_limits<float>::max())}) {
         std::vector<double> values = crossing(0, 0);
         std::fill_n(values.begin() + 27 * 50 + 6, 3, code); // once
         const Clip clip = points_of(values);
@@ -249,6 +250,10 @@ void codes_for_missing_values(void**) {
             assert_non_null(
                 std::strstr(clip.notes[0].c_str(), "taken as missing, 3 times in 3 columns"));
     }
+    std::vector<double> never = crossing(0, 0);
+    for (std::size_t i = 0; i < never.size(); i += 27)
+        std::fill_n(never.begin() + static_cast<std::ptrdiff_t>(i), 3, -9999);
+    assert_int_equal(missing_in(points_of(never)), 400 * 3);
     // A point that is never there; a code inside the range of one axis.
     std::vector<double> values = crossing(0, 0);
     for (std::size_t i = 0; i < values.size(); i += 27) {
@@ -276,7 +281,8 @@ void numbers_that_are_no_codes(void**) {
     assert_int_equal(missing_in(column(9999, 2, 2000)), 0);
     assert_int_equal(missing_in(column(9999, 3, 4000)), 0);
     assert_int_equal(missing_in(column(9998, 3, 2000)), 0);
-    assert_int_equal(missing_in(column(10000, 3, 2000)), 0);
+    assert_int_equal(missing_in(column(100000, 3, 2000)), 0);
+    assert_int_equal(missing_in(column(9999.9999, 3, 2000)), 0);
     assert_int_equal(missing_in(column(9999, 3, 0)), 0);
     assert_int_equal(missing_in(column(99, 3, 2)), 0);
 }
