@@ -12,6 +12,8 @@ namespace stltsa::clip {
 namespace {
 
 constexpr std::int64_t least_cells = 3;
+/// One column of nothing else may be a constant; those of a point that is never there are several.
+constexpr std::int64_t least_alone = 2;
 
 /// Whether the number may be a code: its digits are nines, perhaps zeros after them if a unit was
 /// changed; a power of ten from a million; or the largest number of single or double precision.
@@ -38,9 +40,10 @@ struct NumberColumn {
     std::map<double, std::int64_t> codes;                                  ///< cells of each
 
     bool is_outside(double code) const { return code < least || code > most; }
-    /// Equal numbers tell no distance; a column without others is no measurement.
+    bool is_alone() const { return least > most && codes.size() == 1; }
+    /// Equal numbers tell no distance.
     bool is_far(double code) const {
-        return least > most || (least < most && std::max(least - code, code - most) > most - least);
+        return least < most && std::max(least - code, code - most) > most - least;
     }
 };
 
@@ -62,17 +65,24 @@ std::vector<NumberColumn> columns_in(const Matrix& values, PacedPoll& polls) {
 /// The cells of a code, by their columns.
 using CodeCells = std::map<std::size_t, std::int64_t>;
 
-/// What is outside in enough cells, and far outside in one column.
+/// What is outside in enough cells, and far outside in one column, or alone in several.
 std::map<double, CodeCells> codes_of(const std::vector<NumberColumn>& columns) {
-    std::map<double, std::int64_t> cells;
-    std::map<double, CodeCells> codes;
+    struct Seen {
+        std::int64_t cells = 0, alone = 0;
+        bool is_far = false;
+    };
+    std::map<double, Seen> all;
     for (const NumberColumn& column : columns)
         for (const auto& [code, count] : column.codes) {
-            cells[code] += column.is_outside(code) ? count : 0;
-            if (column.is_far(code))
-                codes[code];
+            Seen& seen = all[code];
+            seen.cells += column.is_outside(code) ? count : 0;
+            seen.alone += column.is_alone() ? 1 : 0;
+            seen.is_far = seen.is_far || column.is_far(code);
         }
-    std::erase_if(codes, [&](const auto& code) { return cells[code.first] < least_cells; });
+    std::map<double, CodeCells> codes;
+    for (const auto& [code, seen] : all)
+        if (seen.cells >= least_cells && (seen.is_far || seen.alone >= least_alone))
+            codes[code];
     return codes;
 }
 
@@ -86,8 +96,9 @@ std::string note_of(double code, const CodeCells& cells, const std::vector<std::
     }
     return format_text(
         "{:.15g} is far outside the other numbers, as where a value is missing: taken "
-        "as missing, {} times in {} columns{}",
-        code, count, cells.size(), named.empty() ? "" : ": " + list_in_quotes(named, 3));
+        "as missing, {} times in {} column{}{}",
+        code, count, cells.size(), cells.size() == 1 ? "" : "s",
+        named.empty() ? "" : ": " + list_in_quotes(named, 3));
 }
 
 } // namespace

@@ -285,6 +285,9 @@ void numbers_that_are_no_codes(void**) {
     assert_int_equal(missing_in(column(9999.9999, 3, 2000)), 0);
     assert_int_equal(missing_in(column(9999, 3, 0)), 0);
     assert_int_equal(missing_in(column(99, 3, 2)), 0);
+    const std::vector<double> constant(100, 9999);
+    assert_int_equal(
+        missing_in(npy(header(dict("<f8", "False", "(100,)")) + numbers("<f8", constant))), 0);
 }
 
 void not_finite(void**) {
