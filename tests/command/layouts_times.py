@@ -92,6 +92,8 @@ def over_midnight(folder):
     lines = timed("date", ["2024-01-31"] * len(cells))  # the day on which the recording began
     lines = [[line[0], clock, *line[1:]] for clock, line in zip(["time", *cells], lines)]
     yield Case(write(folder / "d.csv", lines))
+    back = [f"2024-01-31 {clock}" for clock in cells]
+    yield Case(write(folder / "f.csv", timed("time", back)), error="f.csv:122: column 'time' is time, but does not")
     early = [of_day(i, start=3600 if i < 150 else 1800) for i in range(len(cells))]
     yield Case(write(folder / "e.csv", timed("time", early)), error="e.csv:152: column 'time' is time, but does not")
 

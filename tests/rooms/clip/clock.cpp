@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "clip/arrays/arrays.hpp"
 #include "clip/csv/date_time.hpp"
 #include "clip/csv/time_names.hpp"
 
@@ -311,6 +312,31 @@ void contradictions_are_said(void**) {
     assert_false(says(csv(text, 50), "option fps"));
 }
 
+/// Of arrays, too: at uneven times, nothing is halfway to a missing one.
+void missing_points_of_arrays(void**) {
+    for (const double absent : {0.0, -9999.0, std::nan("")}) {
+        std::vector<double> positions, times;
+        for (int i = 0; i < 60; ++i) {
+            times.push_back(i / 30.0 + 0.02 * std::sin(0.3 * i));
+            for (int c = 0; c < 4; ++c)
+                positions.push_back(i >= 20 && i < 30 && c > 1 ? absent : 5 + 0.01 * (i + c));
+        }
+        stltsa::clip::PointArrays arrays;
+        arrays.space = 2;
+        arrays.positions = {positions.data(), 60, 4, 4};
+        arrays.times = {times.data(), 60, 1, 1};
+        const Clip clip = clip_from_points(arrays);
+        std::int64_t missing = 0;
+        for (std::int64_t i = 0; i < clip.frames(); ++i)
+            for (std::int64_t c = 0; c < 4; ++c) {
+                assert_true(!(clip.values(i, c) < 5));
+                missing += std::isnan(clip.values(i, c)) ? 1 : 0;
+            }
+        assert_in_range(missing, 18, 24);
+        assert_int_equal(says(clip, "-9999 is far outside"), absent < -1);
+    }
+}
+
 } // namespace
 
 int main() {
@@ -330,6 +356,7 @@ int main() {
         cmocka_unit_test(variable_steps),
         cmocka_unit_test(slowly_varying_steps),
         cmocka_unit_test(contradictions_are_said),
+        cmocka_unit_test(missing_points_of_arrays),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
