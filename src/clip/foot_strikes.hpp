@@ -15,7 +15,7 @@ struct FootStrike {
 };
 
 /// In order of time. Names are those that Vicon, Qualisys, BTS and Visual3D write, such as Foot
-/// Strike with the context Left, "R FS", RHS and "Left Initial Contact".
+/// Strike with the context Left, "R FS", RHS, eRHS and "Left Initial Contact".
 std::vector<FootStrike> foot_strikes(const Clip& clip);
 
 } // namespace stltsa::clip
