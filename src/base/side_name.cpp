@@ -20,6 +20,9 @@ constexpr std::string_view strike_names[] = {"footstrike",  "heelstrike",  "init
 constexpr std::string_view leave_names[] = {"footoff", "toeoff", "liftoff", "footup",
                                             "fo",      "to",     "lo"};
 
+/// Letters of the longest of them and of a side.
+constexpr std::size_t longest_event = 20;
+
 /// Longer names have no other side: the names that it might have could fill the memory.
 constexpr std::size_t longest = 256;
 
@@ -42,41 +45,18 @@ bool letter_at(std::string_view name, std::size_t at) {
     return at < name.size() && (is_letter(name[at]) || is_other_letter(name[at]));
 }
 
-/// The letters of a text in lower case.
-std::string letters_of(std::string_view text) {
-    std::string letters;
-    for (const char c : text)
-        if (is_letter(c))
-            letters += static_cast<char>(c | 0x20);
-    return letters;
-}
-
 /// "RHS" of "eRHS": programs of BTS begin the names of events so.
 std::string_view without_event_mark(std::string_view name) {
     const bool has_mark = name.size() > 1 && name[0] == 'e' && name[1] >= 'A' && name[1] <= 'Z';
     return name.substr(has_mark ? 1 : 0);
 }
 
-/// What a name says beside its side.
-struct BesideSide {
-    Side side = Side::neither;
-    std::string_view rest;
-};
-
-/// Letters in lower case as they are, and without the words and letters of sides with which they
-/// begin or end: "hs" of "lhs", "off" and "eftoff" of "leftoff".
-std::vector<BesideSide> beside_sides(std::string_view letters) {
-    std::vector<BesideSide> found{{Side::neither, letters}};
-    for (const Side side : {Side::left, Side::right}) {
-        const std::string_view word = words[0][static_cast<std::size_t>(side)];
-        for (const std::string_view stated : {word, word.substr(0, 1)}) {
-            if (letters.starts_with(stated))
-                found.push_back({side, letters.substr(stated.size())});
-            if (letters.ends_with(stated))
-                found.push_back({side, letters.substr(0, letters.size() - stated.size())});
-        }
-    }
-    return found;
+/// What letters in lower case say that are the name of an event, but for its side.
+std::optional<FootEvent> event_beside(Side side, std::string_view letters) {
+    const bool is_strike = std::ranges::find(strike_names, letters) != std::end(strike_names);
+    if (!is_strike && std::ranges::find(leave_names, letters) == std::end(leave_names))
+        return std::nullopt;
+    return FootEvent{is_strike, side};
 }
 
 std::string replaced(std::string_view name, std::size_t at, std::size_t length,
@@ -142,13 +122,26 @@ bool is_side_letter(std::string_view name, std::size_t at) {
 } // namespace
 
 std::optional<FootEvent> foot_event(std::string_view name) {
-    const std::string letters = letters_of(without_event_mark(name));
-    for (const auto& [side, rest] : beside_sides(letters)) {
-        const bool is_strike = std::ranges::find(strike_names, rest) != std::end(strike_names);
-        if (is_strike || std::ranges::find(leave_names, rest) != std::end(leave_names))
-            return FootEvent{is_strike, side};
+    std::array<char, longest_event> lower{}; // on the stack: names of sides need no memory
+    std::size_t count = 0;
+    for (const char c : without_event_mark(name)) {
+        if (is_letter(c) && count == lower.size())
+            return std::nullopt;
+        if (is_letter(c))
+            lower[count++] = static_cast<char>(c | 0x20);
     }
-    return std::nullopt;
+    const std::string_view letters(lower.data(), count);
+    std::optional<FootEvent> event = event_beside(Side::neither, letters);
+    for (const Side side : {Side::left, Side::right}) {
+        const std::string_view word = words[0][static_cast<std::size_t>(side)];
+        for (const std::string_view stated : {word, word.substr(0, 1)}) {
+            if (!event && letters.starts_with(stated))
+                event = event_beside(side, letters.substr(stated.size()));
+            if (!event && letters.ends_with(stated))
+                event = event_beside(side, letters.substr(0, count - stated.size()));
+        }
+    }
+    return event;
 }
 
 Side side_of_name(std::string_view name) {
