@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/npy_bytes.hpp"
 #include "clip/arrays/missing_codes.hpp"
 #include "clip/clip.hpp"
 #include "clip/features/jump.hpp"
@@ -128,6 +129,10 @@ Clip parse_npy(std::string_view bytes, const std::string& name, const ReadOption
             "points with their times in another format; if they are angles, unwrap them",
             jump));
     return clip;
+}
+
+std::string format_npy(const Clip& clip, const Progress&) {
+    return npy_bytes(clip.values.data(), clip.values.rows(), clip.values.cols(), clip.space);
 }
 
 } // namespace stltsa::clip
