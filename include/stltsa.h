@@ -12,14 +12,15 @@
  *     stltsa_clip *clip = NULL;
  *     stltsa_decomposition *units = NULL;
  *     if (stltsa_clip_open("walk.bvh", NULL, &clip) == STLTSA_OK &&
- *         stltsa_decompose(clip, NULL, &units) == STLTSA_OK)
- *         for (int64_t i = 0; i < stltsa_decomposition_unit_count(units); ++i) {
- *             stltsa_interval u;
- *             stltsa_decomposition_unit(units, i, &u);
- *             printf("%s %.2f s .. %.2f s\n", stltsa_unit_name(u.kind), u.begin_s, u.end_s);
- *         }
- *     else
+ *         stltsa_decompose(clip, NULL, &units) == STLTSA_OK) {
+ *         const stltsa_info *info = stltsa_decomposition_info(units);
+ *         stltsa_unit u;
+ *         for (int64_t i = 0; i < stltsa_info_count(info, STLTSA_INFO_UNIT); ++i)
+ *             if (stltsa_info_rows(info, STLTSA_INFO_UNIT, i, 1, &u, sizeof u) == STLTSA_OK)
+ *                 printf("%s %.2f s .. %.2f s\n", stltsa_unit_name(u.kind), u.begin_s, u.end_s);
+ *     } else {
  *         fprintf(stderr, "%s\n", stltsa_last_error());
+ *     }
  *     stltsa_decomposition_free(units);
  *     stltsa_clip_free(clip);
  *
@@ -52,6 +53,9 @@
  * Units.       Frames count from 0 in the source file. Intervals are half-open, [begin, end).
  *              Rotations are quaternions w x y z. Lengths are in the unit of the file. Seconds are
  *              frame / fps.
+ * Structs.     Those that grow at their end carry the caller's size: in lists as an argument, in others
+ *              as the first member. The library writes no more than that, and takes what is missing
+ *              as 0. The others are frozen.
  * Options.     A NULL options pointer means the defaults. An option that is not set has its default
  *              or, if its text says "auto", a value that the library chooses by the rule given
  *              there. No number means "auto": stltsa_options_unset restores it.
@@ -114,9 +118,6 @@ STLTSA_API const char *stltsa_last_error(void) STLTSA_NOEXCEPT;
 
 /* The version of the library at run time, such as "0.1.0"; the header's may differ. */
 STLTSA_API const char *stltsa_version(void) STLTSA_NOEXCEPT;
-
-/* The same as a number: STLTSA_VERSION_NUMBER of the library's build. */
-STLTSA_API int32_t stltsa_version_number(void) STLTSA_NOEXCEPT;
 
 /* Optional parts of a build. */
 enum {
@@ -222,6 +223,8 @@ enum {
     STLTSA_OPT_IN_PLACE = 36,    /* int   synthesize: 1: of a loop, the root's horizontal travel and
                                       its turn are removed, evenly over the frames, so that the
                                       loop ends where it starts; heights are kept */
+    STLTSA_OPT_INTRINSIC = 38,   /* int   fits: 1: the intrinsic dimension is estimated, too: see
+                                      STLTSA_INFO_LOCAL_PCA and _EIGENGAP */
     STLTSA_OPT_SUBJECT = 37      /* text  which of several people or animals in a file is opened:
                                       the prefix of its points, "Viktor" of "Viktor:LHEE", or its
                                       name as an individual or a track; auto: the only one. They
@@ -266,14 +269,19 @@ enum {
                                         if it turns by a right angle. Notes say what was done */
 };
 
-enum { STLTSA_TYPE_INT = 1, STLTSA_TYPE_REAL = 2, STLTSA_TYPE_TEXT = 3 };
+enum {
+    STLTSA_TYPE_INT = 1,
+    STLTSA_TYPE_REAL = 2,
+    STLTSA_TYPE_TEXT = 3,
+    STLTSA_TYPE_ROWS = 4, /* of keys: stltsa_info_rows */
+    STLTSA_TYPE_ARRAY = 5 /* of keys: stltsa_info_array */
+};
 
 /* Bits of stltsa_option_info.calls: the functions that read an option. */
 enum {
     STLTSA_CALL_OPEN = 1,         /* stltsa_clip_open, _parse */
     STLTSA_CALL_FEATURES = 2,     /* stltsa_clip_features, _feature_count */
-    STLTSA_CALL_FIT = 4,          /* stltsa_fit, _fit_clip, _fit_clips */
-    STLTSA_CALL_DIMENSION = 8,    /* stltsa_estimate_dimension, _clip, _clips */
+    STLTSA_CALL_FIT = 4,          /* stltsa_fit, _fit_clips */
     STLTSA_CALL_MAP = 16,         /* stltsa_map, _map_clip */
     STLTSA_CALL_UNMAP = 32,       /* stltsa_unmap, _unmap_clip */
     STLTSA_CALL_DECOMPOSE = 64,   /* stltsa_decompose */
@@ -296,7 +304,7 @@ typedef struct stltsa_option_info {
     int32_t calls;       /* STLTSA_CALL_*: the functions that read the option */
 } stltsa_option_info;
 
-STLTSA_API int64_t stltsa_option_count(void) STLTSA_NOEXCEPT;
+/* One row, from index 0. E_ARGUMENT: index is past the last one. */
 STLTSA_API stltsa_status stltsa_option_describe(int64_t index,
                                                 stltsa_option_info *info) STLTSA_NOEXCEPT;
 
@@ -353,15 +361,16 @@ STLTSA_API stltsa_status stltsa_options_set_progress(stltsa_options *options,
                                                      stltsa_progress_fn progress,
                                                      void *user) STLTSA_NOEXCEPT;
 
-/* ---- Facts ------------------------------------------------------------------------------ */
+/* ---- Facts, lists and arrays ------------------------------------------------------------ */
 
-/* The facts of a clip or a result, by key: every fact of its JSON except the arrays, intervals and
- * seams, which have their own functions. An info belongs to the handle it came from and is valid as
- * long as that handle; NULL for a NULL handle. */
+/* Everything that a clip or a result says, by key: a fact, a list of texts or numbers, a list of
+ * structs, or an array. An info belongs to the handle it came from (stltsa_clip_info and so on) and is
+ * valid as long as that handle; NULL for a NULL handle. */
 typedef struct stltsa_info stltsa_info;
 
 /* Keys. stltsa_info_describe() gives name, type and text of each at run time. A key with [] has any
- * number of values; any other has one, or none if the handle lacks that fact. */
+ * number of values; any other has one, or none if the handle lacks that fact. `rows` are structs, of
+ * the type that is named; `array` is a matrix of real numbers, with its shape; [] has several. */
 enum {
     /* Where the frames come from. Of these four a result of a matrix has none. */
     STLTSA_INFO_PATH = 1,               /* text[] path of the clip as given; empty: from memory */
@@ -417,21 +426,18 @@ enum {
     STLTSA_INFO_REACH = 42,             /* real   distance from the fitted frames, in units of
                                                   the features, up to which a new frame is like
                                                   them; 0: the model cannot map */
-    STLTSA_INFO_COMPONENT_ROWS = 43,    /* int[]  distinct rows of each component of the
-                                                  neighborhood graph */
-    STLTSA_INFO_RANK_DEFICIENT = 44,    /* int[]  windows of fewer than d directions in each
-                                                  component */
-    STLTSA_INFO_SOLVES = 45,            /* int[]  applications of the inverse operator by
-                                                  ARPACK, for each component */
-    STLTSA_INFO_RESIDUAL = 46,          /* real[] largest ||B u - lambda u|| / k of each
-                                                  component */
-    STLTSA_INFO_ERROR_ESTIMATE = 47,    /* real[] estimate of the largest principal angle to
-                                                  the exact embedding, in radians, for each
-                                                  component */
-    STLTSA_INFO_GAP = 48,               /* real[] lambda_{d+2} / lambda_{d+1} of each
-                                                  component; near 1: the curve is ill-defined */
-    STLTSA_INFO_COMPONENTS = 49,        /* int    components of the neighborhood graph */
-    /* Decompositions; EIGENVALUE is a fact of a dimension, too. */
+    STLTSA_INFO_COMPONENT = 43,         /* rows   stltsa_component: those of the neighborhood
+                                                  graph */
+    STLTSA_INFO_HAS_CYCLE = 44,         /* int    1: the model keeps a mean cycle, see
+                                                  stltsa_model_keep_cycle */
+    STLTSA_INFO_COORDS = 45,            /* array  rows x d: the coordinates; of a decomposition, rows
+                                                  x 2: the curve, and itself a quarter of a cycle
+                                                  behind, the loop of Fig. 1 */
+    STLTSA_INFO_EIGENVALUES = 46,       /* array  components x (d + 2): lambda_1 = 0, lambda_2, ...,
+                                                  ascending; NaN if a component is too small */
+    STLTSA_INFO_COMPONENT_OF = 47,      /* array  rows x 1: component of each row, numbered from 0 in
+                                                  the order of their first rows */
+    /* Decompositions. */
     STLTSA_INFO_COORDINATE = 60,        /* int    1-based coordinate of the fit whose margins
                                                   count; 0: none */
     STLTSA_INFO_CYCLICITY = 61,         /* real   how well that coordinate repeats once a
@@ -441,11 +447,41 @@ enum {
     STLTSA_INFO_BEST = 63,              /* int    index of the cycle most like the mean cycle of
                                                   that segment; -1: none */
     STLTSA_INFO_REASON = 64,            /* text   why nothing repeats; empty if anything does */
-    STLTSA_INFO_EIGENVALUE = 65,        /* real[] eigenvalues, ascending, the zero one first:
-                                                  of B, and of B / k in a dimension */
+    STLTSA_INFO_EIGENVALUE = 65,        /* real[] eigenvalues of B, ascending, the zero one first; of
+                                                  a model, those of B / k that the estimate of the
+                                                  dimension rests on */
     STLTSA_INFO_POSTURES = 68,          /* int[]  frames of up to 24 distinct postures, for
                                                   pictures; to draw n, take the first n */
-    /* Dimensions. */
+    STLTSA_INFO_SEGMENT = 50,           /* rows   stltsa_segment, in temporal order; they cover [0,
+                                                  frames of the clip) without gap or overlap */
+    STLTSA_INFO_UNIT = 51,              /* rows   stltsa_unit; they cover the clip, too */
+    STLTSA_INFO_CYCLE = 52,             /* rows   stltsa_part, in temporal order */
+    STLTSA_INFO_STEP = 53,              /* rows   stltsa_part: halves of cycles; none unless both
+                                                  sides alternate */
+    STLTSA_INFO_REPETITION = 54,        /* rows   stltsa_part: single actions of segments of
+                                                  repetitions */
+    STLTSA_INFO_SUMMARY = 55,           /* rows   stltsa_summary: one for each label that repeats */
+    STLTSA_INFO_SIDE = 56,              /* int[]  STLTSA_SIDE_* that side 0 and side 1 of parts are;
+                                                  STLTSA_SIDE_NONE if no names tell. Assumes
+                                                  right-handed axes */
+    STLTSA_INFO_CURVE = 57,             /* array  rows x 1: the smoothed coordinate whose margins
+                                                  count, 0 outside cyclic segments, each of which has
+                                                  a coordinate of its own; of a denoising, rows x
+                                                  columns: the fitted curve f_c */
+    STLTSA_INFO_LABEL_LIKENESS = 58,    /* array  labels x labels: how similar their segments are, 0
+                                                  (different) to 1 (same): the mean over pairs of
+                                                  segments, at most 24 of each label. It compares the
+                                                  postures, the speeds, and which parts of the body
+                                                  move together; moderate differences in size and
+                                                  tempo change it little. From about 0.65 on,
+                                                  segments share a label, except repetitions, which
+                                                  are grouped by their course. NaN for a label of one
+                                                  segment with itself */
+    /* Models that were fitted with option intrinsic (section 2.3): two estimates of the dimension of
+     * the manifold, the paper's first eigengap above tau, and the median number of local principal
+     * directions that explain the share `variance` of a neighborhood. B is built with tangent
+     * dimension d. The eigengap counts lambda_1 = 0, and one eigenvalue more than d is small by
+     * construction, so this estimate depends on d: compare it with local PCA. */
     STLTSA_INFO_LOCAL_PCA = 66,         /* int    intrinsic dimension by local PCA; 0: cannot
                                                   tell */
     STLTSA_INFO_EIGENGAP = 67,          /* int    intrinsic dimension by the eigengap; 0:
@@ -457,35 +493,25 @@ enum {
     STLTSA_INFO_EIGENGAP_THRESHOLD = 73, /* real   tau of section 2.3 as a fraction of k */
     STLTSA_INFO_LOCAL_VARIANCE = 74,    /* real[] mean share of a neighborhood's variance along
                                                   each of its principal directions */
-    /* Denoisings; the next five have a value for each column. */
-    STLTSA_INFO_GAMMA = 80,             /* real[] threshold used in each column */
-    STLTSA_INFO_SHIFT = 81,             /* real[] d_t: mean distance of the points beyond gamma
-                                                  in each column */
-    STLTSA_INFO_NOISE = 82,             /* real[] robust standard deviation of the residuals of
-                                                  each column */
-    STLTSA_INFO_DEGREES_OF_FREEDOM = 83, /* real[] effective degrees of freedom of the curve of
-                                                   each column */
-    STLTSA_INFO_MOVED = 84,             /* int[]  points that were moved in each column */
+    /* Denoisings. */
+    STLTSA_INFO_COLUMN = 80,            /* rows   stltsa_denoised_column: one for each column */
+    STLTSA_INFO_CLEANED = 81,           /* array  rows x columns: the points after equation (1) */
+    STLTSA_INFO_MOVES = 82,             /* array  rows x columns: displacement of each point; 0: not
+                                                  moved */
     STLTSA_INFO_GAMMA_OPTION = 85,      /* real   option gamma; none: chosen for each column */
     STLTSA_INFO_KNOT_ROWS = 86,         /* real   rows between the knots of the curve */
     STLTSA_INFO_ROBUST = 87,            /* int    1: the influence of spikes is reduced */
     STLTSA_INFO_FIT_PERIOD_MIN = 88,    /* real   period_min of the model whose coordinates
                                                   these are; 0: none */
     STLTSA_INFO_FIT_PERIOD_MAX = 89,    /* real   period_max of that model; 0: none */
-    STLTSA_INFO_COLUMNS = 90,           /* int    columns of the coordinates */
-    STLTSA_INFO_NOISE_SHARE = 91,       /* real[] noise of each column as a share of its curve's
-                                                  range */
     STLTSA_INFO_NOTHING_TO_CLEAN = 92,  /* int    1: the noise of every column is below 0.5 % of
                                                   its range, which cannot be seen in a figure */
     /* Syntheses. */
     STLTSA_INFO_CROSSFADE = 100,        /* real   option crossfade; none: chosen for each seam */
     STLTSA_INFO_CUT_RANGE = 101,        /* real   option cut_range; none: chosen for each seam */
     STLTSA_INFO_POSTURE_LIMIT = 102,    /* real   option posture_limit; 0: none */
-    STLTSA_INFO_PIECE_PATH = 103,       /* text[] path of the clip of each piece; empty: from
-                                                  memory */
-    STLTSA_INFO_PIECE_BEGIN = 104,      /* int[]  first frame of each piece */
-    STLTSA_INFO_PIECE_END = 105,        /* int[]  frame after the last of each piece */
-    STLTSA_INFO_PIECE_REPEAT = 106,     /* int[]  how often each piece is played */
+    STLTSA_INFO_PIECE = 103,            /* rows   stltsa_piece_fact: what was joined */
+    STLTSA_INFO_SEAM = 104,             /* rows   stltsa_seam, in temporal order */
     STLTSA_INFO_LOOP = 107,             /* int    1: a loop; only loops have the next six facts */
     STLTSA_INFO_IN_PLACE = 108,         /* int    option in_place */
     STLTSA_INFO_TRAVEL = 109,           /* real[] x, y, z of the body's travel per loop along the
@@ -499,16 +525,76 @@ enum {
                                                   pieces' frames */
     STLTSA_INFO_LOOP_CYCLES = 112,      /* int    cycles in the loop, if chosen among the clip's */
     STLTSA_INFO_SOURCE_CYCLES = 113,    /* int    cycles of the clip, if chosen among them */
-    /* Everything but clips. */
-    STLTSA_INFO_WARNING = 120,          /* text[] what a user should know about the result */
-    STLTSA_INFO_WARNING_CODE = 121,     /* int[]  STLTSA_WARNING_* of each warning */
-    STLTSA_INFO_WARNING_BEGIN = 122,    /* real[] seconds in the clip at which each warning
-                                                  applies; NaN: it has no time */
-    STLTSA_INFO_WARNING_END = 123,      /* real[] end of that time; the begin for a moment */
+    /* Everything but clips and streams. */
+    STLTSA_INFO_WARNING = 120,          /* rows   stltsa_warning: what a user should know about the
+                                                  result */
     /* Clips: what the file states. */
-    STLTSA_INFO_UNIT = 130,             /* text   unit of lengths, such as mm; empty: unknown */
-    STLTSA_INFO_FILE_UP_AXIS = 131      /* int    axis that points up: 1, 2, 3 for x, y, z (TRC: y,
+    STLTSA_INFO_LENGTH_UNIT = 130,      /* text   unit of lengths, such as mm; empty: unknown */
+    STLTSA_INFO_FILE_UP_AXIS = 131,     /* int    axis that points up: 1, 2, 3 for x, y, z (TRC: y,
                                                   by convention); 0: the file does not say */
+    STLTSA_INFO_JOINT = 132,            /* rows   stltsa_joint, parents first; none without a skeleton */
+    STLTSA_INFO_FILE_EVENT = 133,       /* rows   stltsa_file_event, in order of time */
+    STLTSA_INFO_CHANNELS = 134,         /* int    channels, columns or coordinates of each frame */
+    STLTSA_INFO_POSITIONS = 135,        /* array  frames x (3 * joints): world positions by forward
+                                                  kinematics; none without a skeleton */
+    STLTSA_INFO_ROTATIONS = 136,        /* array  frames x (4 * joints): local rotations w x y z, with
+                                                  signs continuous over time; none without a
+                                                  skeleton */
+    /* Phases. */
+    STLTSA_INFO_PHASE = 140,            /* array  frames x 1, of each frame of the file, in [0, 1);
+                                                  NaN outside cycles */
+    STLTSA_INFO_PHASE_RESIDUAL = 141,   /* array  frames x 1: distance from the mean cycle in pose and
+                                                  velocity, as a share of the root mean square
+                                                  deviation of the motion; NaN outside cycles */
+    STLTSA_INFO_PHASE_CYCLE = 142,      /* array  frames x 1: index of the cycle; -1 outside cycles */
+    STLTSA_INFO_PHASE_ZERO = 143,       /* real[] of each label, the phase, in [0, 1), at which the
+                                                  body is at the same place in every clip and person
+                                                  with the same features, wherever their cycles begin:
+                                                  where the legs pass each other, if the two sides of
+                                                  the body are known and swing; 0: a label with
+                                                  repetitions only; NaN: one with neither */
+    STLTSA_INFO_OWNER = 144,            /* text[] the joint, or the point or column of the file, that
+                                                  each column of the features belongs to: makes the
+                                                  groups of stltsa_cycles_group_distance */
+    /* Signals over cycles. */
+    STLTSA_INFO_VALUES = 150,           /* array[] samples x columns: each cycle */
+    STLTSA_INFO_MEAN = 151,             /* array[] samples x columns: mean over the cycles; of a
+                                                  comparison, of the first and the second motion, at
+                                                  phases of the first */
+    STLTSA_INFO_DEVIATION = 152,        /* array[] the same: standard deviation; of a single cycle,
+                                                  NaN */
+    STLTSA_INFO_SAMPLE_FRAMES = 153,    /* array  cycles x samples: the frame of each sample, not
+                                                  rounded */
+    STLTSA_INFO_WARP = 154,             /* array  cycles x samples: how much later than in linear
+                                                  time, as a share of the cycle */
+    STLTSA_INFO_DISTANCE = 155,         /* array  cycles x 1: distance of each cycle from the mean,
+                                                  root mean square over samples and columns, as a
+                                                  share of the root of the variance along the mean
+                                                  cycle */
+    STLTSA_INFO_COLUMN_DISTANCE = 156,  /* array  cycles x columns: root mean square over the samples,
+                                                  in the unit of the signal */
+    /* Events. */
+    STLTSA_INFO_EVENT = 160,            /* rows   stltsa_event, in order of time */
+    STLTSA_INFO_LIKENESS = 161,         /* real   correlation of the mean cycles of the two clips; 1
+                                                  within a clip. Events of another person are to be
+                                                  trusted less below 0.95; below 0.6 it is another
+                                                  motion, and there are none */
+    /* Comparisons. */
+    STLTSA_INFO_COMPARISON = 170,       /* rows   stltsa_compared: one, about the whole */
+    STLTSA_INFO_MOTION = 171,           /* rows   stltsa_compared_motion: the first, the second */
+    STLTSA_INFO_PART = 172,             /* rows   stltsa_compared_part: joints, points or columns, in
+                                                  the order of the first clip */
+    STLTSA_INFO_PART_CHANNEL = 173,     /* rows   stltsa_compared_part: the coordinates of the parts,
+                                                  part by part */
+    STLTSA_INFO_DIFFERENCE = 174,       /* array  samples x channels: second minus first */
+    STLTSA_INFO_STANDARD_ERROR = 175,   /* array  samples x channels: its standard error */
+    STLTSA_INFO_MARGIN = 176,           /* array  samples x channels: half the width of its 95 %
+                                                  interval, which holds for one sample: of 100 samples
+                                                  without a difference, about five exclude 0 by
+                                                  chance */
+    /* Streams. */
+    STLTSA_INFO_MARK = 180              /* text[] marks of the model, in the order in which they were
+                                                  kept */
 };
 
 /* Kinds of warnings; new ones may be added. Those of a synthesis have the time of their seam. */
@@ -528,11 +614,17 @@ enum {
     STLTSA_WARNING_SEAM_ACCELERATION = 13, /* unusual acceleration near a seam */
     STLTSA_WARNING_NOT_BLENDED = 14,    /* no frames beyond the cuts of a seam to blend */
     STLTSA_WARNING_NO_ORDER = 15,       /* consecutive rows are no closer than random ones */
-    STLTSA_WARNING_LINEAR_PHASE = 16    /* the mean cycle that a model keeps has phases that are
-                                           linear in time, so streams are followed less surely */
+    STLTSA_WARNING_LINEAR_PHASE = 16,   /* phases that are linear in time, so what rests on them is
+                                           less sure */
+    STLTSA_WARNING_SEVERAL_PLACES = 17, /* marks at several places of the cycle */
+    STLTSA_WARNING_NOT_FOUND = 18,      /* repetitions without the event */
+    STLTSA_WARNING_FEW_CYCLES = 19,     /* too few cycles for intervals */
+    STLTSA_WARNING_NOT_ALIKE = 20,      /* the motions seem to be different */
+    STLTSA_WARNING_UNCERTAIN_SHIFT = 21, /* another shift is nearly as good */
+    STLTSA_WARNING_SIZES_DIFFER = 22    /* bodies of different size or unit */
 };
 
-/* Number of values of a key; 0: none, or an unknown key. */
+/* Number of values, rows or arrays of a key; 0: none, or an unknown key. */
 STLTSA_API int64_t stltsa_info_count(const stltsa_info *info, int32_t key) STLTSA_NOEXCEPT;
 
 /* One value; index 0 if the key has a single value. A text is valid as long as the handle.
@@ -544,14 +636,46 @@ STLTSA_API stltsa_status stltsa_info_real(const stltsa_info *info, int32_t key, 
 STLTSA_API stltsa_status stltsa_info_text(const stltsa_info *info, int32_t key, int64_t index,
                                           const char **value) STLTSA_NOEXCEPT;
 
+/* Copies rows [begin, begin + count) of a list to an array of the struct that the key names. row_size:
+ * its sizeof. Texts in it are UTF-8, and valid as long as the handle. E_ARGUMENT: the handle lacks
+ * that list or one of these rows; nothing is written then. */
+STLTSA_API stltsa_status stltsa_info_rows(const stltsa_info *info, int32_t key, int64_t begin,
+                                          int64_t count, void *rows,
+                                          size_t row_size) STLTSA_NOEXCEPT;
+
+/* Writes an array, as F32, F64 or, if its numbers are whole, I64. index: which, if there are several;
+ * otherwise 0. E_ARGUMENT: the handle lacks it. E_SHAPE. */
+STLTSA_API stltsa_status stltsa_info_array(const stltsa_info *info, int32_t key, int64_t index,
+                                           const stltsa_out *array) STLTSA_NOEXCEPT;
+/* Its shape; of all arrays of a key. E_ARGUMENT: the handle lacks it. */
+STLTSA_API stltsa_status stltsa_info_shape(const stltsa_info *info, int32_t key, int64_t *rows,
+                                           int64_t *cols) STLTSA_NOEXCEPT;
+
+/* The JSON object of a clip, a model, a decomposition, a comparison, a denoising or a synthesis
+ * (schemas stltsa-clip/1, stltsa-model/1, stltsa-decomposition/2, stltsa-comparison/1,
+ * stltsa-denoising/1, stltsa-synthesis/1); free it with stltsa_free. E_UNSUPPORTED: others. */
+STLTSA_API stltsa_status stltsa_info_json(const stltsa_info *info, char **json) STLTSA_NOEXCEPT;
+
+/* A warning. The text says what it is about, and what to do. */
+typedef struct stltsa_warning {
+    int64_t code;          /* STLTSA_WARNING_* */
+    const char *text;
+    double begin_s;        /* seconds in the clip at which it applies; NaN: it has no time */
+    double end_s;          /* end of that time; the begin for a moment */
+} stltsa_warning;
+
 /* Bits of stltsa_info_key.handles. */
 enum {
     STLTSA_HANDLE_CLIP = 1,
     STLTSA_HANDLE_MODEL = 2,
-    STLTSA_HANDLE_DIMENSION = 4,
+    STLTSA_HANDLE_PHASE = 4,
     STLTSA_HANDLE_DECOMPOSITION = 8,
     STLTSA_HANDLE_DENOISING = 16,
-    STLTSA_HANDLE_SYNTHESIS = 32
+    STLTSA_HANDLE_SYNTHESIS = 32,
+    STLTSA_HANDLE_CYCLES = 64,
+    STLTSA_HANDLE_EVENTS = 128,
+    STLTSA_HANDLE_COMPARISON = 256,
+    STLTSA_HANDLE_LIVE = 512
 };
 
 /* One row of the table of facts. Texts are static. `choices` is NULL, or "temporal=1 spatial=2"
@@ -566,7 +690,7 @@ typedef struct stltsa_info_key {
     int32_t handles;     /* handles that can have the fact: sum of STLTSA_HANDLE_* */
 } stltsa_info_key;
 
-STLTSA_API int64_t stltsa_info_key_count(void) STLTSA_NOEXCEPT;
+/* One row, from index 0. E_ARGUMENT: index is past the last one. */
 STLTSA_API stltsa_status stltsa_info_describe(int64_t index, stltsa_info_key *key) STLTSA_NOEXCEPT;
 
 /* ---- Clips ------------------------------------------------------------------------------ */
@@ -591,18 +715,21 @@ enum {
     STLTSA_FORMAT_MOT = 11  /* MOT and STO of OpenSim, joint coordinates and the like: only read */
 };
 
-/* Reads a clip, or a stretch of it, whose name follows the path: "walk.bvh:2.5s-9s", see
- * stltsa_clip_stretch; a file of exactly this name comes first, and the options of
- * stltsa_decompose count for the names that need it. The suffix decides the format, or the content
- * if the suffix is unknown. A folder of a BIDS dataset stands for the one *_motion.tsv in it.
- * Options: fps, skeleton, subject, least_confidence, progress. E_ARGUMENT (several subjects, or
- * several such files; the text lists them), E_IO, E_FORMAT (the text has path, line and remedy),
- * E_NOT_FINITE. */
+/* Reads a clip. The suffix decides the format, or the content if the suffix is unknown. A folder of a
+ * BIDS dataset stands for the one *_motion.tsv in it. Options: fps, skeleton, subject,
+ * least_confidence, progress. E_ARGUMENT (several subjects, or several such files; the text lists
+ * them), E_IO, E_FORMAT (the text has path, line and remedy), E_NOT_FINITE. */
 STLTSA_API stltsa_status stltsa_clip_open(const char *path, const stltsa_options *options,
                                           stltsa_clip **clip) STLTSA_NOEXCEPT;
 
-/* The same from memory; if format is 0, the content decides. name: for messages and as the path of
- * the clip; a stretch may follow if that file exists, as above; NULL: it has none. */
+/* The same, or a stretch of the clip, whose name follows the path: "walk.bvh:2.5s-9s", see
+ * stltsa_clip_stretch; a file of exactly this name comes first. The options of stltsa_decompose count
+ * for the names that need it. */
+STLTSA_API stltsa_status stltsa_clip_open_stretch(const char *text, const stltsa_options *options,
+                                                  stltsa_clip **clip) STLTSA_NOEXCEPT;
+
+/* The same as stltsa_clip_open from memory; if format is 0, the content decides. name: for messages
+ * and as the path of the clip; NULL: it has none. */
 STLTSA_API stltsa_status stltsa_clip_parse(const void *bytes, size_t size, int32_t format,
                                            const char *name, const stltsa_options *options,
                                            stltsa_clip **clip) STLTSA_NOEXCEPT;
@@ -633,9 +760,8 @@ STLTSA_API stltsa_status stltsa_clip_from_points(const stltsa_points *points,
                                                  const stltsa_options *options,
                                                  stltsa_clip **clip) STLTSA_NOEXCEPT;
 
-/* A joint of a skeleton. Append-only: set size to sizeof(stltsa_joint). */
+/* A joint or an end site of a skeleton. A row; input as well. */
 typedef struct stltsa_joint {
-    size_t size;
     const char *name;      /* UTF-8, not empty */
     int64_t parent;        /* index of an earlier joint; -1: the root, which is joint 0 */
     double offset[3];      /* from the parent, in the parent's axes; unit of the clip */
@@ -645,8 +771,7 @@ typedef struct stltsa_joint {
      * them tx ty tz for the root, and none for end sites; as output: they are those of an ASF file,
      * which this cannot describe. */
     const char *channels;
-    int32_t is_end_site;   /* 1: the end of a chain, without rotation */
-    int32_t reserved;
+    int64_t is_end_site;   /* 1: the end of a chain, without rotation */
 } stltsa_joint;
 
 /* Forms of rotations. */
@@ -657,14 +782,14 @@ enum {
     STLTSA_ROTATIONS_CHANNELS = 3    /* a column for each channel of each joint */
 };
 
-/* A clip of a skeleton: joints, their local rotations (child axes to parent axes; frames x 4, 9, or
+/* A clip of a skeleton: joints (count of them, joint_size = sizeof(stltsa_joint)), their local rotations (child axes to parent axes; frames x 4, 9, or
  * channels of all joints) and the positions of the root (frames x 3; NULL: it stays at its offset,
  * or the channels say where it is). Quaternions and matrices become the angles of the channels, each
  * chosen nearest to those of the frame before; channels keep their bits. All is copied.
  * fps: 1e-9 to 1e6. E_SHAPE, E_ARGUMENT (a parent after its child, unknown channels, no rotation),
  * E_NOT_FINITE. */
-STLTSA_API stltsa_status stltsa_clip_from_skeleton(const stltsa_joint *joints, int64_t count,
-                                                   int32_t form, const stltsa_in *rotations,
+STLTSA_API stltsa_status stltsa_clip_from_skeleton(const stltsa_joint *joints, size_t joint_size,
+                                                   int64_t count, int32_t form, const stltsa_in *rotations,
                                                    const stltsa_in *root_positions, double fps,
                                                    stltsa_clip **clip) STLTSA_NOEXCEPT;
 
@@ -697,37 +822,14 @@ STLTSA_API const stltsa_info *stltsa_clip_info(const stltsa_clip *clip) STLTSA_N
 
 STLTSA_API int64_t stltsa_clip_frames(const stltsa_clip *clip) STLTSA_NOEXCEPT;
 STLTSA_API double stltsa_clip_fps(const stltsa_clip *clip) STLTSA_NOEXCEPT; /* 0: unknown */
-STLTSA_API int32_t stltsa_clip_format(const stltsa_clip *clip) STLTSA_NOEXCEPT;
-STLTSA_API int64_t stltsa_clip_channels(const stltsa_clip *clip) STLTSA_NOEXCEPT;
-/* Joints and end sites in file order, parents first; 0 without a skeleton. */
-STLTSA_API int64_t stltsa_clip_joints(const stltsa_clip *clip) STLTSA_NOEXCEPT;
-/* Fills a joint, whose size the caller sets. Its texts are valid as long as the clip. */
-STLTSA_API stltsa_status stltsa_clip_joint(const stltsa_clip *clip, int64_t index,
-                                           stltsa_joint *joint) STLTSA_NOEXCEPT;
 
-/* Something that the file says happens, such as a foot strike in C3D. Append-only: set size to
- * sizeof(stltsa_file_event). */
+/* Something that the file says happens, such as a foot strike in C3D. A row. */
 typedef struct stltsa_file_event {
-    size_t size;
     const char *label;   /* "Foot Strike" */
     const char *context; /* what it happens to, such as "Left"; may be "" */
     double frame;        /* of the clip, not rounded; may lie outside it */
-    double seconds;      /* from the first frame of the clip; 0 if the rate is unknown */
+    double seconds;      /* from the first frame of the clip; NaN if the rate is unknown */
 } stltsa_file_event;
-
-/* Events of the clip, in order of time; 0 for formats that have none. */
-STLTSA_API int64_t stltsa_clip_event_count(const stltsa_clip *clip) STLTSA_NOEXCEPT;
-/* Fills an event, whose size the caller sets. Its texts are valid as long as the clip. */
-STLTSA_API stltsa_status stltsa_clip_event(const stltsa_clip *clip, int64_t index,
-                                           stltsa_file_event *event) STLTSA_NOEXCEPT;
-
-/* World positions by forward kinematics: frames x (3 * joints), x y z of joint 0, joint 1, ...
- * E_UNSUPPORTED without a skeleton. */
-STLTSA_API stltsa_status stltsa_clip_positions(const stltsa_clip *clip,
-                                               const stltsa_out *positions) STLTSA_NOEXCEPT;
-/* Local rotations: frames x (4 * joints), w x y z, with signs continuous over time. */
-STLTSA_API stltsa_status stltsa_clip_rotations(const stltsa_clip *clip,
-                                               const stltsa_out *rotations) STLTSA_NOEXCEPT;
 
 /* Features of every source frame, not smoothed: frames x count. Options: features, up axis. */
 STLTSA_API stltsa_status stltsa_clip_feature_count(const stltsa_clip *clip,
@@ -737,9 +839,6 @@ STLTSA_API stltsa_status stltsa_clip_features(const stltsa_clip *clip,
                                               const stltsa_options *options,
                                               const stltsa_out *features) STLTSA_NOEXCEPT;
 
-/* All of the above as one JSON object (schema: stltsa-clip/1); free it with stltsa_free. */
-STLTSA_API stltsa_status stltsa_clip_json(const stltsa_clip *clip, char **json) STLTSA_NOEXCEPT;
-
 /* Writes a clip, completely or not at all. The suffix decides the format: .bvh (any skeleton, with
  * its hierarchy, channel order, units and frame time), .amc (only clips read from AMC; their ASF
  * file is written beside it, under the same name), .csv, .npy (the numbers of any clip; CSV begins
@@ -747,13 +846,9 @@ STLTSA_API stltsa_status stltsa_clip_json(const stltsa_clip *clip, char **json) 
  * .glb (skeleton and animation, or moving points, for other programs) has 32-bit numbers.
  * E_ARGUMENT (another suffix), E_UNSUPPORTED (the clip lacks a skeleton, the kind of skeleton or
  * the frame rate that the format needs), E_IO (also if another skeleton has the place of the ASF
- * file). */
-STLTSA_API stltsa_status stltsa_clip_save(const stltsa_clip *clip,
-                                          const char *path) STLTSA_NOEXCEPT;
-
-/* The same with options. Used: progress, which can cancel until the file is complete. */
-STLTSA_API stltsa_status stltsa_clip_save_with(const stltsa_clip *clip, const char *path,
-                                               const stltsa_options *options) STLTSA_NOEXCEPT;
+ * file). Option: progress, which can cancel until the file is complete. */
+STLTSA_API stltsa_status stltsa_clip_save(const stltsa_clip *clip, const char *path,
+                                          const stltsa_options *options) STLTSA_NOEXCEPT;
 
 /* ---- The manifold curve: STLTSA --------------------------------------------------------- */
 
@@ -763,7 +858,7 @@ typedef struct stltsa_model stltsa_model;
  * distinct frames in a row). Section 2.2. Several clips follow one another in `frames`; `lengths`,
  * clips x 1, I64, gives the frames of each, which sum to rows; NULL: one clip. Temporal neighbors
  * never cross clips. Each connected component of the neighborhood graph is embedded separately
- * (columns centered, of unit norm); check STLTSA_INFO_COMPONENTS before you compare coordinates
+ * (columns centered, of unit norm); check STLTSA_INFO_COMPONENT before you compare coordinates
  * across clips or cuts. Repeated frames are collapsed first and get the coordinates of the frame
  * they repeat.
  * Options: neighbors, window, dimension, mode, include_self, links, exclusion, threads, fps (for
@@ -778,84 +873,29 @@ STLTSA_API stltsa_status stltsa_fit(const stltsa_in *frames, const stltsa_in *le
                                     const stltsa_options *options,
                                     stltsa_model **model) STLTSA_NOEXCEPT;
 
-/* The same from the features of a clip, without a T-pose at its start and without the frames before
- * the body is recorded and after it has left, smoothed and (option sample_rate) decimated. Row i of
- * the model is source frame STLTSA_INFO_FIRST_FRAME + i * STLTSA_INFO_FRAME_STEP. Temporal neighbors
- * do not cross a break (stretches that were joined, as in "walk.bvh:A") nor the middle of a gap that
- * is too long to fill; a note says where. E_TOO_FEW_FRAMES: too few frames between two of them. */
-STLTSA_API stltsa_status stltsa_fit_clip(const stltsa_clip *clip, const stltsa_options *options,
-                                         stltsa_model **model) STLTSA_NOEXCEPT;
-
-/* The same from several clips, each prepared separately. STLTSA_INFO_LENGTH, _FIRST_FRAME,
- * _FRAME_STEP, _PATH and so on then have a value for each clip. The up axis, and the skeleton of
- * stltsa_unmap_clip, are those of the first clip. E_SHAPE: a clip differs from the first in joints,
- * channels, features, or rate after decimation. */
+/* The same from the features of clips, each prepared separately: without a T-pose at its start and
+ * without the frames before the body is recorded and after it has left, smoothed and (option
+ * sample_rate) decimated. Row i of a clip is its frame STLTSA_INFO_FIRST_FRAME + i *
+ * STLTSA_INFO_FRAME_STEP. Temporal neighbors do not cross a break (stretches that were joined, as in
+ * "walk.bvh:A") nor the middle of a gap that is too long to fill; a note says where. The up axis, and
+ * the skeleton of stltsa_unmap_clip, are those of the first clip. E_TOO_FEW_FRAMES: too few frames
+ * between two breaks. E_SHAPE: a clip differs from the first in joints, channels, features, or rate
+ * after decimation. */
 STLTSA_API stltsa_status stltsa_fit_clips(const stltsa_clip *const *clips, int64_t count,
                                           const stltsa_options *options,
                                           stltsa_model **model) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_model_free(stltsa_model *model) STLTSA_NOEXCEPT;
 STLTSA_API const stltsa_info *stltsa_model_info(const stltsa_model *model) STLTSA_NOEXCEPT;
 
-/* rows x d. */
-STLTSA_API stltsa_status stltsa_model_coords(const stltsa_model *model,
-                                             const stltsa_out *coords) STLTSA_NOEXCEPT;
-/* components x (d + 2): lambda_1 = 0, lambda_2, ... lambda_{d+2} of each, ascending; NaN if a
- * component is too small to have that many. */
-STLTSA_API stltsa_status stltsa_model_eigenvalues(const stltsa_model *model,
-                                                  const stltsa_out *values) STLTSA_NOEXCEPT;
-/* rows x 1, I64: component of each row, numbered from 0 in the order of their first rows. */
-STLTSA_API stltsa_status stltsa_model_components(const stltsa_model *model,
-                                                 const stltsa_out *labels) STLTSA_NOEXCEPT;
-/* Warnings: a coordinate that only follows time, a disconnected graph, rank-deficient windows, a
- * small gap, features of very different scales. */
-STLTSA_API int64_t stltsa_model_warning_count(const stltsa_model *model) STLTSA_NOEXCEPT;
-STLTSA_API const char *stltsa_model_warning(const stltsa_model *model,
-                                            int64_t index) STLTSA_NOEXCEPT; /* "" past the end */
-STLTSA_API stltsa_status stltsa_model_json(const stltsa_model *model, char **json) STLTSA_NOEXCEPT;
-
-/* ---- Intrinsic dimension (section 2.3) --------------------------------------------------- */
-
-typedef struct stltsa_dimension stltsa_dimension;
-
-/* Two estimates of the dimension of the manifold: the paper's first eigengap above tau, and the
- * median number of local principal directions that explain the share `variance` of a
- * neighborhood. B is built with tangent dimension `dimension` (auto: 2). The eigengap counts
- * lambda_1 = 0, and one eigenvalue more than that dimension is small by construction, so the
- * estimate depends on the dimension given: compare it with local PCA. Inputs and errors as
- * stltsa_fit; for a disconnected or degenerate graph the answer is "cannot tell", which is not
- * an error. */
-STLTSA_API stltsa_status stltsa_estimate_dimension(const stltsa_in *frames,
-                                                   const stltsa_in *lengths,
-                                                   const stltsa_options *options,
-                                                   stltsa_dimension **dimension) STLTSA_NOEXCEPT;
-STLTSA_API stltsa_status
-stltsa_estimate_dimension_clip(const stltsa_clip *clip, const stltsa_options *options,
-                               stltsa_dimension **dimension) STLTSA_NOEXCEPT;
-/* Clips as in stltsa_fit_clips. */
-STLTSA_API stltsa_status
-stltsa_estimate_dimension_clips(const stltsa_clip *const *clips, int64_t count,
-                                const stltsa_options *options,
-                                stltsa_dimension **dimension) STLTSA_NOEXCEPT;
-STLTSA_API void stltsa_dimension_free(stltsa_dimension *dimension) STLTSA_NOEXCEPT;
-STLTSA_API const stltsa_info *
-stltsa_dimension_info(const stltsa_dimension *dimension) STLTSA_NOEXCEPT;
-
-/* 0: cannot tell, and `reason` says why ("" otherwise). */
-STLTSA_API int64_t stltsa_dimension_eigengap(const stltsa_dimension *dimension,
-                                             const char **reason) STLTSA_NOEXCEPT;
-STLTSA_API int64_t stltsa_dimension_local_pca(const stltsa_dimension *dimension,
-                                              const char **reason) STLTSA_NOEXCEPT;
-/* Eigenvalues of B / k, ascending, the zero one first: n x 1, n = stltsa_info_count() of
- * STLTSA_INFO_EIGENVALUE. */
-STLTSA_API stltsa_status stltsa_dimension_eigenvalues(const stltsa_dimension *dimension,
-                                                      const stltsa_out *values) STLTSA_NOEXCEPT;
-/* Mean share of a neighborhood's variance along principal direction 1, 2, ...: n x 1,
- * n = stltsa_info_count() of STLTSA_INFO_LOCAL_VARIANCE. */
-STLTSA_API stltsa_status
-stltsa_dimension_local_variances(const stltsa_dimension *dimension,
-                                 const stltsa_out *shares) STLTSA_NOEXCEPT;
-STLTSA_API stltsa_status stltsa_dimension_json(const stltsa_dimension *dimension,
-                                               char **json) STLTSA_NOEXCEPT;
+/* A connected component of the neighborhood graph of a fit. A row. */
+typedef struct stltsa_component {
+    int64_t frames;             /* distinct rows */
+    double residual;            /* largest ||B u - lambda u|| / k */
+    double error_estimate_rad;  /* estimate of the largest principal angle to the exact embedding */
+    double gap;                 /* lambda_{d+2} / lambda_{d+1}; near 1: the curve is ill-defined */
+    int64_t rank_deficient_windows; /* windows of fewer than d directions */
+    int64_t solves;             /* applications of the inverse operator by ARPACK */
+} stltsa_component;
 
 /* ---- Motion units and cycles (section 3.1) ----------------------------------------------- */
 
@@ -868,23 +908,28 @@ enum {
     STLTSA_UNIT_FINAL = 4,     /* from the last cycle to standing */
     STLTSA_UNIT_WIND_UP = 5,   /* standing after a motion */
     STLTSA_UNIT_ACTION = 6,    /* motion for which no cycles are reported */
-    STLTSA_UNIT_CYCLE = 7,     /* one cycle of the cyclic unit */
     STLTSA_UNIT_HOLD = 8       /* keeping another posture than the one at rest */
 };
-/* "preparing", "initial", "cyclic", "final", "wind-up", "action", "cycle", "hold"; "unknown"
- * otherwise. */
-STLTSA_API const char *stltsa_unit_name(int32_t kind) STLTSA_NOEXCEPT;
+/* "preparing", "initial", "cyclic", "final", "wind-up", "action", "hold"; "unknown" otherwise. */
+STLTSA_API const char *stltsa_unit_name(int64_t kind) STLTSA_NOEXCEPT;
 
-/* [begin, end) in source frames, rounded, and in seconds, with fractions of a frame. Frozen. */
+/* Where frames are counted: [begin, end) in source frames, rounded, and in seconds, with fractions of
+ * a frame. Frozen. */
 typedef struct stltsa_interval {
     int64_t begin, end;
     double begin_s, end_s;
-    int32_t kind, segment; /* STLTSA_UNIT_*, index of the segment; 0 where there are none */
 } stltsa_interval;
 
+/* A unit, [begin, end) as in stltsa_interval. A row. */
+typedef struct stltsa_unit {
+    int64_t kind;          /* STLTSA_UNIT_* */
+    int64_t segment;       /* index of its segment */
+    int64_t begin, end;
+    double begin_s, end_s;
+} stltsa_unit;
+
 /* The frames of a stretch, named as for stltsa_clip_stretch: `count` is set to the number of
- * intervals (1, except for labels), of which the first `capacity` are written; their kind and
- * segment are 0. */
+ * intervals (1, except for labels), of which the first `capacity` are written. */
 STLTSA_API stltsa_status stltsa_clip_find(const stltsa_clip *clip, const char *what,
                                           const stltsa_options *options, int64_t capacity,
                                           stltsa_interval *intervals,
@@ -897,54 +942,65 @@ enum {
     STLTSA_SEGMENT_REST = 4
 };
 /* "cyclic", "repetitions", "action", "rest"; "unknown" otherwise. */
-STLTSA_API const char *stltsa_segment_name(int32_t kind) STLTSA_NOEXCEPT;
+STLTSA_API const char *stltsa_segment_name(int64_t kind) STLTSA_NOEXCEPT;
 
-/* A stretch of one behavior, [begin, end) as in stltsa_interval. Frozen. */
+/* A stretch of one behavior, [begin, end) as in stltsa_interval. A row. */
 typedef struct stltsa_segment {
+    int64_t kind;              /* STLTSA_SEGMENT_* */
+    int64_t label;             /* 0, 1, ... in order of appearance; -1: a rest */
+    const char *letters;       /* the label as it is shown: A, B, ... Z, AA, ...; "" for a rest */
+    double likeness;           /* mean likeness to the others of its label, 0 to 1; NaN: none */
     int64_t begin, end;
     double begin_s, end_s;
+    double period_s;           /* median length of the cycles; NaN: not cyclic */
+    double candidate_period_s; /* a period that was seen but is not claimed; NaN: none */
     int64_t count;             /* cycles or repetitions; 1 for an action, 0 for a rest */
-    double likeness;           /* mean likeness to the others of its label, 0 to 1; NaN: none */
-    double period_s;           /* median length of the cycles; 0: not cyclic */
-    double candidate_period_s; /* a period that was seen but is not claimed; 0: none */
+    const char *const *carried_by; /* names of the joints, markers or columns that carry half of the
+                                  motion, those that move most first; NULL after the last */
+    int64_t open_begin;        /* 1: the clip begins within this motion */
+    int64_t open_end;          /* 1: the clip ends within this motion */
     double confidence;         /* share of such answers that are right, 0 to 1 */
     double begin_confidence;   /* the same of the border at its begin; NaN for the first */
-    int32_t kind, label;       /* STLTSA_SEGMENT_*; 0, 1, ... in order of appearance, -1: a rest */
-    int32_t open_begin, open_end; /* 1: the clip begins, ends within this motion */
+    const char *reason;        /* why it has no cycles, with the numbers; "" if it has. Of a rest:
+                                  "nothing recorded" if most of the body is missing, so that nobody
+                                  knows whether it rests */
+    double first_step_share;   /* share of a cycle that the first step takes: it ends where the other
+                                  side of the body does what the first did at the begin. Exactly 0.5
+                                  if the estimate is within the margin, or within 0.002, of 0.5; if
+                                  the file states foot strikes of both sides, the mean over the
+                                  cycles, and exactly 0.5 only by chance. NaN: no steps */
+    double first_step_margin;  /* half the width of its 95 % interval over the cycles; NaN without
+                                  steps or with fewer than three cycles */
+    const char *steps_reason;  /* why its cycles have no steps; "" if they have, or no cycles */
 } stltsa_segment;
 
-/* A cycle, a step or a repetition, [begin, end) as in stltsa_interval. Frozen. */
+/* A cycle, a step or a repetition, [begin, end) as in stltsa_interval, and how the body travels over
+ * the ground meanwhile: the body root of a skeleton, or the mean of points; NaN: unknown, as in a
+ * matrix of bare numbers. A row. */
 typedef struct stltsa_part {
+    int64_t segment;           /* index of its segment */
+    int64_t cycle;             /* of a step, index of its cycle; else -1 */
+    int64_t label;             /* of its segment */
+    const char *letters;       /* of its segment */
     int64_t begin, end;
     double begin_s, end_s;
-    int64_t segment, parent; /* index of its segment; of a step also of its cycle, else -1 */
-    double likeness;         /* of a cycle to the mean cycle of its segment, of a repetition to
-                                the others, 0 to 1; NaN: unknown */
-    double confidence;       /* share of such answers that are right, 0 to 1 */
-    int32_t side, reserved;  /* which side of the body leads: 0 or 1, the same in all clips of a
-                                skeleton; -1: unknown. At foot strikes that the file states: the side
-                                whose strike a cycle begins with, and a step ends with */
+    int64_t side;              /* which side of the body leads: 0 or 1, the same in all clips of a
+                                  skeleton; -1: unknown. At foot strikes that the file states: the
+                                  side whose strike a cycle begins with, and a step ends with */
+    const char *side_name;     /* "left" or "right"; "" if no names tell */
+    double likeness;           /* of a cycle to the mean cycle of its segment, of a repetition to
+                                  the others, 0 to 1; NaN: unknown */
+    double confidence;         /* share of such answers that are right, 0 to 1 */
+    double path_length;        /* in the unit of the file, as the next two */
+    double stride;             /* distance between the ends of the path */
+    double speed;              /* path length / second */
+    double turn_deg;           /* degrees, counterclockwise as seen from above; points: unknown if
+                                  fewer than three are seen at both ends */
 } stltsa_part;
 
 enum {
-    STLTSA_PART_CYCLE = 1,
-    STLTSA_PART_STEP = 2,      /* half of a cycle; none unless both sides alternate */
-    STLTSA_PART_REPETITION = 3 /* one action of a segment of repetitions */
-};
-
-/* How the body travels over the ground during one part: the body root of a skeleton, or the mean of
- * points. Lengths in the unit of the file. NaN: unknown, as in a matrix of bare numbers. Frozen. */
-typedef struct stltsa_travel {
-    double way;        /* length of the path */
-    double stride;     /* distance between the ends of the path */
-    double speed;      /* way / second */
-    double turn;       /* degrees, counterclockwise as seen from above; points: unknown if fewer than
-                          three are seen at both ends */
-} stltsa_travel;
-
-enum {
     STLTSA_QUANTITY_TIME = 1,   /* length in seconds */
-    STLTSA_QUANTITY_WAY = 2,    /* these four: see stltsa_travel */
+    STLTSA_QUANTITY_PATH_LENGTH = 2, /* these four: see stltsa_part */
     STLTSA_QUANTITY_STRIDE = 3,
     STLTSA_QUANTITY_SPEED = 4,
     STLTSA_QUANTITY_TURN = 5
@@ -954,16 +1010,24 @@ enum {
 typedef struct stltsa_statistics {
     int64_t count;
     double mean, sd, cv; /* cv = sd / mean; sd and cv are 0 for one part */
-    double trend;      /* relative change per minute; NaN, as cv is, of turns */
+    double trend;        /* relative change per minute; NaN, as cv is, of turns */
 } stltsa_statistics;
 
-/* Of the cycles or repetitions of one label. Frozen. */
+/* Of the cycles or repetitions of one label. A row. */
 typedef struct stltsa_summary {
+    int64_t label;
+    const char *letters;
     int64_t count;
-    double per_minute; /* 60 / mean_s */
-    double mean_s, sd_s, cv; /* of their lengths in seconds; cv = sd / mean; sd is 0 for one */
-    double trend;      /* relative change of the length per minute */
-    int32_t label, reserved;
+    double cycles_per_min;           /* 60 / mean cycle time */
+    stltsa_statistics cycle_time_s;
+    double steps_per_min;            /* NaN without steps */
+    stltsa_statistics step_time_s;
+    double step_time_side_0_s;       /* mean of the steps of side 0 */
+    double step_time_side_1_s;       /* mean of the steps of side 1 */
+    stltsa_statistics path_length;   /* these four of the cycles: see stltsa_part */
+    stltsa_statistics stride;
+    stltsa_statistics speed;
+    stltsa_statistics turn_deg;
 } stltsa_summary;
 
 /* Says what is done when in a recording of any length, and what of it repeats. It finds where the
@@ -972,7 +1036,7 @@ typedef struct stltsa_summary {
  * the steepest points, between peaks and valleys, of a coordinate that oscillates once per cycle
  * (section 3.1). Actions between rests that are one motion are repetitions. Segments of one motion
  * share a label. Segments without cycles have a reason; this is not an error.
- * If the file states foot strikes (stltsa_clip_event), cycles begin at those of one side, and steps
+ * If the file states foot strikes (STLTSA_INFO_FILE_EVENT), cycles begin at those of one side, and steps
  * end at those of both. In cycles without one, strikes are found as by stltsa_events_find. Strikes
  * that contradict the cycles are not used. STLTSA_INFO_NOTE says which were used, and which were not.
  * Options: features, up axis, keep_start, sample_rate, smoothing, period_*, segments, threads,
@@ -985,109 +1049,12 @@ STLTSA_API void stltsa_decomposition_free(stltsa_decomposition *decomposition) S
 STLTSA_API const stltsa_info *
 stltsa_decomposition_info(const stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
 
-/* Segments in temporal order; they cover [0, frames of the clip) without gap or overlap. */
-STLTSA_API int64_t
-stltsa_decomposition_segment_count(const stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
-STLTSA_API stltsa_status stltsa_decomposition_segment(const stltsa_decomposition *decomposition,
-                                                      int64_t index,
-                                                      stltsa_segment *segment) STLTSA_NOEXCEPT;
-/* Why a segment has no cycles, with the numbers; "" if it has, and for an index out of range. Of a
- * rest: "nothing recorded" if most of the body is missing, so that nobody knows whether it rests. */
-STLTSA_API const char *
-stltsa_decomposition_segment_reason(const stltsa_decomposition *decomposition,
-                                    int64_t index) STLTSA_NOEXCEPT;
-/* How similar the segments of two labels are, 0 (different) to 1 (same): the mean over pairs of their
- * segments, at most 24 of each label. It compares the postures, the speeds, and which parts of the
- * body move together; moderate differences in size and tempo change it little. Segments whose mean
- * likeness is at least about 0.65 share a label, except repetitions, which are grouped by their
- * course. NaN if `label` is `other` and only one segment has it. E_ARGUMENT if a label is out of
- * range; *likeness is unchanged then. */
-STLTSA_API stltsa_status
-stltsa_decomposition_label_likeness(const stltsa_decomposition *decomposition, int32_t label,
-                                    int32_t other, double *likeness) STLTSA_NOEXCEPT;
-/* How the cycles of a segment divide into steps. The first step takes `share` of a cycle: it ends
- * where the other side of the body does what the first did at the begin. `margin` is half the width
- * of the 95 % interval of the estimated share over the cycles; `share` is exactly 0.5 if the
- * estimate is within `margin`, or within 0.002, of 0.5. share is NaN without steps; margin is NaN
- * without steps or with fewer than three cycles. If the file states foot strikes of both sides,
- * share is the mean over the cycles, and exactly 0.5 only by chance. share and margin may be NULL. */
-STLTSA_API stltsa_status
-stltsa_decomposition_first_step(const stltsa_decomposition *decomposition, int64_t segment,
-                                double *share, double *margin) STLTSA_NOEXCEPT;
-/* Why the cycles of a segment have no steps; "" if they have, if there are no cycles, and for an
- * index out of range. */
-STLTSA_API const char *
-stltsa_decomposition_steps_reason(const stltsa_decomposition *decomposition,
-                                  int64_t segment) STLTSA_NOEXCEPT;
-/* Which side of the body, STLTSA_SIDE_*, the number 0 or 1 in stltsa_part.side means;
- * STLTSA_SIDE_NONE if the names of joints or points do not tell, and for any other number. Assumes
- * right-handed axes. */
-STLTSA_API int32_t stltsa_decomposition_side(const stltsa_decomposition *decomposition,
-                                             int32_t side) STLTSA_NOEXCEPT;
-/* Names of the joints, markers or columns that carry half of the motion of a segment, those that
- * move most first; "" for an index out of range. */
-STLTSA_API int64_t
-stltsa_decomposition_carrier_count(const stltsa_decomposition *decomposition,
-                                   int64_t segment) STLTSA_NOEXCEPT;
-STLTSA_API const char *
-stltsa_decomposition_carrier(const stltsa_decomposition *decomposition, int64_t segment,
-                             int64_t index) STLTSA_NOEXCEPT;
-/* Parts of one kind (STLTSA_PART_*) in temporal order; there are none of an unknown kind. */
-STLTSA_API int64_t stltsa_decomposition_part_count(const stltsa_decomposition *decomposition,
-                                                   int32_t kind) STLTSA_NOEXCEPT;
-STLTSA_API stltsa_status stltsa_decomposition_part(const stltsa_decomposition *decomposition,
-                                                   int32_t kind, int64_t index,
-                                                   stltsa_part *part) STLTSA_NOEXCEPT;
-STLTSA_API stltsa_status stltsa_decomposition_travel(const stltsa_decomposition *decomposition,
-                                                     int32_t kind, int64_t index,
-                                                     stltsa_travel *travel) STLTSA_NOEXCEPT;
-/* Of a quantity (STLTSA_QUANTITY_*) of the parts of one kind, label and side (-1: of both). Parts
- * whose quantity is unknown are left out. */
+/* Of a quantity (STLTSA_QUANTITY_*) of the parts of one kind (STLTSA_INFO_CYCLE, _STEP or
+ * _REPETITION), label and side (-1: of both). Parts whose quantity is unknown are left out. */
 STLTSA_API stltsa_status
 stltsa_decomposition_statistics(const stltsa_decomposition *decomposition, int32_t kind,
                                 int32_t label, int32_t side, int32_t quantity,
                                 stltsa_statistics *statistics) STLTSA_NOEXCEPT;
-/* How often and how fast, for each label of which there are cycles or repetitions. */
-STLTSA_API int64_t
-stltsa_decomposition_summary_count(const stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
-STLTSA_API stltsa_status stltsa_decomposition_summary(const stltsa_decomposition *decomposition,
-                                                      int64_t index,
-                                                      stltsa_summary *summary) STLTSA_NOEXCEPT;
-/* Units in temporal order; they cover [0, frames of the clip) without gap or overlap. */
-STLTSA_API int64_t
-stltsa_decomposition_unit_count(const stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
-STLTSA_API stltsa_status stltsa_decomposition_unit(const stltsa_decomposition *decomposition,
-                                                   int64_t index,
-                                                   stltsa_interval *unit) STLTSA_NOEXCEPT;
-/* Cycles in temporal order: the parts STLTSA_PART_CYCLE. */
-STLTSA_API int64_t
-stltsa_decomposition_cycle_count(const stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
-STLTSA_API stltsa_status stltsa_decomposition_cycle(const stltsa_decomposition *decomposition,
-                                                    int64_t index,
-                                                    stltsa_interval *cycle) STLTSA_NOEXCEPT;
-
-/* The smoothed coordinate whose margins count: samples x 1. It is 0 outside cyclic segments. */
-STLTSA_API stltsa_status stltsa_decomposition_curve(const stltsa_decomposition *decomposition,
-                                                    const stltsa_out *curve) STLTSA_NOEXCEPT;
-/* That coordinate and one a quarter of a cycle behind, as stltsa_decomposition_loop: samples x 2. */
-STLTSA_API stltsa_status stltsa_decomposition_coords(const stltsa_decomposition *decomposition,
-                                                     const stltsa_out *coords) STLTSA_NOEXCEPT;
-/* The two coordinates of the loop (Fig. 1): samples x 2, 0 outside cyclic segments. Each of these
- * has coordinates of its own, so the loops of two segments cannot share axes. */
-STLTSA_API stltsa_status stltsa_decomposition_loop(const stltsa_decomposition *decomposition,
-                                                   const stltsa_out *loop) STLTSA_NOEXCEPT;
-/* Why nothing repeats, with the numbers; "" if anything does. */
-STLTSA_API const char *
-stltsa_decomposition_reason(const stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
-STLTSA_API int64_t
-stltsa_decomposition_warning_count(const stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
-STLTSA_API const char *
-stltsa_decomposition_warning(const stltsa_decomposition *decomposition,
-                             int64_t index) STLTSA_NOEXCEPT;
-/* The object of schema stltsa-decomposition/2; free it with stltsa_free. */
-STLTSA_API stltsa_status stltsa_decomposition_json(const stltsa_decomposition *decomposition,
-                                                   char **json) STLTSA_NOEXCEPT;
-
 /* ---- Mapping in both directions (section 2.4) ----------------------------------------- */
 
 /* Maps new frames onto the curve. Near each frame of the model the map is linear, as LTSA assumes,
@@ -1106,7 +1073,7 @@ STLTSA_API stltsa_status stltsa_decomposition_json(const stltsa_decomposition *d
  * distance  NULL, or rows x 1: distance from the fitted frames divided by STLTSA_INFO_REACH. Beyond
  *           1 the frame is unlike the fitted ones, and its coordinates mean little.
  * nearest   NULL, or rows x 1, I64: the nearest model row of each row; the coordinates belong to
- *           the component of that row (stltsa_model_components)
+ *           the component of that row (STLTSA_INFO_COMPONENT_OF)
  * Options: map_neighbors, map_blend, hint_window, threads, progress. E_SHAPE, E_NOT_FINITE,
  * E_ARGUMENT, E_UNSUPPORTED (the model kept no frames), E_CANCELLED. */
 STLTSA_API stltsa_status stltsa_map(const stltsa_model *model, const stltsa_in *frames,
@@ -1155,10 +1122,12 @@ STLTSA_API stltsa_status stltsa_model_serialize(const stltsa_model *model, unsig
 STLTSA_API stltsa_status stltsa_model_parse(const void *bytes, size_t size,
                                             stltsa_model **model) STLTSA_NOEXCEPT;
 
-/* The same to and from a file, which is written completely or not at all. E_IO, E_FORMAT. */
-STLTSA_API stltsa_status stltsa_model_save(const stltsa_model *model,
-                                           const char *path) STLTSA_NOEXCEPT;
-STLTSA_API stltsa_status stltsa_model_load(const char *path, stltsa_model **model) STLTSA_NOEXCEPT;
+/* The same to and from a file, which is written completely or not at all. Option: progress. E_IO,
+ * E_FORMAT. */
+STLTSA_API stltsa_status stltsa_model_save(const stltsa_model *model, const char *path,
+                                           const stltsa_options *options) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_model_load(const char *path, const stltsa_options *options,
+                                           stltsa_model **model) STLTSA_NOEXCEPT;
 
 /* ---- Phase and mean cycles --------------------------------------------------------------- */
 
@@ -1177,30 +1146,7 @@ STLTSA_API stltsa_status stltsa_phase_find(const stltsa_decomposition *decomposi
                                            const stltsa_options *options,
                                            stltsa_phase **phase) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_phase_free(stltsa_phase *phase) STLTSA_NOEXCEPT;
-
-/* Of each frame of the file; each array may be NULL.
- * phase     frames x 1, in [0, 1); NaN outside cycles
- * residual  frames x 1: distance from the mean cycle in pose and velocity, as a share of the root
- *           mean square deviation of the motion; NaN outside cycles
- * cycle     frames x 1, I64: index of the cycle among STLTSA_PART_CYCLE; -1 outside cycles */
-STLTSA_API stltsa_status stltsa_phase_values(const stltsa_phase *phase, const stltsa_out *values,
-                                             const stltsa_out *residual,
-                                             const stltsa_out *cycle) STLTSA_NOEXCEPT;
-/* The phase, in [0, 1), at which the body is at the same place in every clip and person with the same
- * features, wherever their cycles begin: where the legs pass each other, if the two sides of the body
- * are known and swing. 0 if the label (0 for A) has repetitions only. E_ARGUMENT: it has neither. */
-STLTSA_API stltsa_status stltsa_phase_zero(const stltsa_phase *phase, int32_t label,
-                                           double *zero) STLTSA_NOEXCEPT;
-STLTSA_API int64_t stltsa_phase_warning_count(const stltsa_phase *phase) STLTSA_NOEXCEPT;
-STLTSA_API const char *stltsa_phase_warning(const stltsa_phase *phase,
-                                            int64_t index) STLTSA_NOEXCEPT;
-
-/* The joint, or the point or column of the file, that each column of the features belongs to: makes
- * the groups of stltsa_cycles_group_distance. "" beyond the last one; valid until the phase is
- * freed. */
-STLTSA_API int64_t stltsa_phase_column_count(const stltsa_phase *phase) STLTSA_NOEXCEPT;
-STLTSA_API const char *stltsa_phase_column_owner(const stltsa_phase *phase,
-                                                 int64_t index) STLTSA_NOEXCEPT;
+STLTSA_API const stltsa_info *stltsa_phase_info(const stltsa_phase *phase) STLTSA_NOEXCEPT;
 
 /* Signals on 0 to 100 % of each cycle. */
 typedef struct stltsa_cycles stltsa_cycles;
@@ -1216,9 +1162,10 @@ typedef struct stltsa_cycles stltsa_cycles;
  * The cycles are those of the decomposition, from border to border, which are at 0 and 100 %; in
  * between, samples follow the phase. If a label has no cycles, each repetition counts as a cycle. A
  * cycle shorter than 6 frames is left out. A cycle that ends with the clip goes on at its beginning.
- * E_ARGUMENT: the label has neither cycles nor repetitions. E_SHAPE. */
-STLTSA_API stltsa_status stltsa_cycles_resample(const stltsa_phase *phase, int32_t label,
+ * Option: progress. E_ARGUMENT: the label has neither cycles nor repetitions. E_SHAPE. */
+STLTSA_API stltsa_status stltsa_cycles_resample(const stltsa_phase *phase, int64_t label,
                                                 const stltsa_in *signals, int64_t samples,
+                                                const stltsa_options *options,
                                                 stltsa_cycles **cycles) STLTSA_NOEXCEPT;
 
 /* The same without registration: linear in time between borders, such as heel strikes.
@@ -1226,32 +1173,12 @@ STLTSA_API stltsa_status stltsa_cycles_resample(const stltsa_phase *phase, int32
  *           frames, which is the end of the last one: samples after the beginning of the last frame
  *           are NaN */
 STLTSA_API stltsa_status stltsa_cycles_between(const stltsa_in *borders, const stltsa_in *signals,
-                                               int64_t samples,
+                                               int64_t samples, const stltsa_options *options,
                                                stltsa_cycles **cycles) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_cycles_free(stltsa_cycles *cycles) STLTSA_NOEXCEPT;
-STLTSA_API int64_t stltsa_cycles_count(const stltsa_cycles *cycles) STLTSA_NOEXCEPT;
+STLTSA_API const stltsa_info *stltsa_cycles_info(const stltsa_cycles *cycles) STLTSA_NOEXCEPT;
 
-/* Mean and standard deviation over the cycles, samples x columns; each may be NULL. The deviation
- * of a single cycle is NaN. */
-STLTSA_API stltsa_status stltsa_cycles_mean(const stltsa_cycles *cycles, const stltsa_out *mean,
-                                            const stltsa_out *deviation) STLTSA_NOEXCEPT;
-/* One cycle: samples x columns. E_ARGUMENT: there is no such cycle. */
-STLTSA_API stltsa_status stltsa_cycles_cycle(const stltsa_cycles *cycles, int64_t index,
-                                             const stltsa_out *values) STLTSA_NOEXCEPT;
-/* When it happens, apart from what happens; each may be NULL.
- * frames    cycles x samples: the frame of each sample, not rounded
- * warp      cycles x samples: how much later than in linear time, as a share of the cycle */
-STLTSA_API stltsa_status stltsa_cycles_times(const stltsa_cycles *cycles, const stltsa_out *frames,
-                                             const stltsa_out *warp) STLTSA_NOEXCEPT;
-/* How far each cycle is from the mean; each may be NULL.
- * total     cycles x 1: root mean square over samples and columns, as a share of the root of the
- *           variance along the mean cycle
- * columns   cycles x columns: root mean square over the samples, in the unit of the signal */
-STLTSA_API stltsa_status stltsa_cycles_distance(const stltsa_cycles *cycles,
-                                                const stltsa_out *total,
-                                                const stltsa_out *columns) STLTSA_NOEXCEPT;
-
-/* The same for groups of columns, such as the three coordinates of each joint.
+/* STLTSA_INFO_COLUMN_DISTANCE for groups of columns, such as the three coordinates of each joint.
  * groups    columns x 1, I64: the group of each column, from 0; -1: none
  * distance  cycles x number of groups: root of the sum of squares over the columns of the group
  * E_ARGUMENT, E_SHAPE. */
@@ -1275,17 +1202,15 @@ STLTSA_API int32_t stltsa_side_of_name(const char *name) STLTSA_NOEXCEPT;
 /* A moment, such as a heel strike, that was marked in one cycle and is found in all others. */
 typedef struct stltsa_events stltsa_events;
 
-/* Append-only: set size to sizeof(stltsa_event). */
+/* A row. */
 typedef struct stltsa_event {
-    size_t size;
-    int64_t cycle;     /* index among STLTSA_PART_CYCLE of the clip; -1: outside cycles */
     double frame;      /* of the file, not rounded */
     double seconds;
+    int64_t cycle;     /* index among the cycles of the clip; -1: outside cycles */
     double confidence; /* 0 to 1: ranks the events by the size of their likely errors. In other
                           clips, 98 of 100 events above 0.6 were within 50 ms of the truth, and 7 of
                           10 below 0.4 (measure/events) */
-    int32_t marked;    /* 1: a mark of the caller, as it was given */
-    int32_t reserved;  /* 0 */
+    int64_t marked;    /* 1: a mark of the caller, as it was given */
 } stltsa_event;
 
 /* Finds the event at one or more marked frames in every cycle or repetition of that motion, also a
@@ -1300,30 +1225,14 @@ typedef struct stltsa_event {
  *
  * If marks lie farther than a tenth of a cycle apart, they mark several places in the cycle: each
  * place has its events, and a warning says so. Events are in order of time; there are none if the
- * other clip has no such motion (see stltsa_events_likeness). E_ARGUMENT: a mark lies in no motion
+ * other clip has no such motion (see STLTSA_INFO_LIKENESS). Option: progress. E_ARGUMENT: a mark lies in no motion
  * that repeats, or the marks are spread all over the cycle. E_SHAPE: the features of the clips
  * differ. */
 STLTSA_API stltsa_status stltsa_events_find(const stltsa_phase *from, const stltsa_in *marks,
-                                            const stltsa_phase *in,
+                                            const stltsa_phase *in, const stltsa_options *options,
                                             stltsa_events **events) STLTSA_NOEXCEPT;
-
-/* The same with options. Used: progress. */
-STLTSA_API stltsa_status stltsa_events_find_with(const stltsa_phase *from, const stltsa_in *marks,
-                                                 const stltsa_phase *in,
-                                                 const stltsa_options *options,
-                                                 stltsa_events **events) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_events_free(stltsa_events *events) STLTSA_NOEXCEPT;
-STLTSA_API int64_t stltsa_events_count(const stltsa_events *events) STLTSA_NOEXCEPT;
-STLTSA_API stltsa_status stltsa_events_event(const stltsa_events *events, int64_t index,
-                                             stltsa_event *event) STLTSA_NOEXCEPT;
-/* Correlation of the mean cycles of the two clips; 1 within a clip. Events of another person are to
- * be trusted less below 0.95; below 0.6 it is another motion, and there are none. */
-STLTSA_API double stltsa_events_likeness(const stltsa_events *events) STLTSA_NOEXCEPT;
-/* Warnings about marks at several places in the cycle, repetitions without the event, and phases
- * that are linear in time. Valid until the events are freed; "" beyond the last one. */
-STLTSA_API int64_t stltsa_events_warning_count(const stltsa_events *events) STLTSA_NOEXCEPT;
-STLTSA_API const char *stltsa_events_warning(const stltsa_events *events,
-                                             int64_t index) STLTSA_NOEXCEPT;
+STLTSA_API const stltsa_info *stltsa_events_info(const stltsa_events *events) STLTSA_NOEXCEPT;
 
 /* ---- Comparison of two motions -------------------------------------------------------------- */
 
@@ -1343,56 +1252,72 @@ typedef struct stltsa_estimate {
     double difference;        /* second minus first */
     double standard_error;    /* of the difference */
     double low, high;         /* its confidence interval */
-    int32_t significant;      /* 1: the interval excludes 0, by more than rounding */
-    int32_t reserved;
+    int64_t significant;      /* 1: the interval excludes 0, by more than rounding */
 } stltsa_estimate;
 
-/* Which cycles were compared, and how the second motion was aligned: its phase is shifted so that
- * all joints, points or columns together match best. Append-only: set size to
- * sizeof(stltsa_compared_cycles). */
-typedef struct stltsa_compared_cycles {
-    size_t size;
-    int64_t first_count, second_count; /* number of cycles */
-    int32_t first_label, second_label; /* of the segments, 0 for A */
-    int64_t samples;                   /* of each cycle */
-    stltsa_estimate cycle_time;        /* seconds */
-    double first_per_minute, second_per_minute; /* cycles per minute: 60 / mean cycle time */
-    double shift;         /* phase of the second motion at phase 0 of the first, -0.5 to 0.5 */
-    double shift_error;   /* its standard error; NaN: it is half a cycle by definition */
+/* An estimate without its parts. Frozen. */
+typedef struct stltsa_bounded {
+    double value;
+    double low, high;         /* its 95 % confidence interval */
+} stltsa_bounded;
+
+/* About a whole comparison. A row. */
+typedef struct stltsa_compared {
+    int64_t sides;         /* 1: left against right */
+    int64_t features;      /* STLTSA_FEATURES_* that were compared */
+    int64_t samples;       /* of each cycle */
+    /* How the second motion was aligned: its phase is shifted so that all joints, points or columns
+     * together match best. */
+    double shift;          /* phase of the second motion at phase 0 of the first, -0.5 to 0.5 */
+    double shift_error;    /* its standard error; NaN: it is half a cycle by definition */
     double shift_low, shift_high; /* its 95 % confidence interval */
-    double likeness;      /* correlation of the two mean cycles; below 0.6, a warning says that the
-                             motions seem to be different */
-    double runner_up;     /* the same at the next best shift; NaN: there is none. If it is within
-                             0.1 of likeness, a warning says that the shift is uncertain */
-    double turn;          /* degrees by which the second body was turned about the up axis to face
-                             as the first does: points, and skeletons with different joints; else 0 */
-    double size_ratio;    /* size of the second body divided by that of the first, from the parts
-                             that were compared; NaN: no positions in space, or only one part */
-    int64_t judged;       /* number of lags and amplitudes of parts that have an interval */
-    int64_t significant;  /* how many of them are significant; by chance, 0.05 * judged would be */
-    int32_t sides;        /* 1: left against right */
-    int32_t reserved;
-} stltsa_compared_cycles;
+    double likeness;       /* correlation of the two mean cycles; below 0.6, a warning says that the
+                              motions seem to be different */
+    double runner_up;      /* the same at the next best shift; NaN: there is none. If it is within 0.1
+                              of likeness, a warning says that the shift is uncertain */
+    double turn_deg;       /* degrees by which the second body was turned about the up axis to face as
+                              the first does: points, and skeletons with different joints; else 0 */
+    double size_ratio;     /* size of the second body divided by that of the first, from the parts
+                              that were compared; NaN: no positions in space, or only one part */
+    stltsa_estimate cycle_time_s;
+    int64_t judged;        /* number of lags and amplitudes of parts that have an interval */
+    int64_t significant;   /* how many of them are significant */
+    double expected_by_chance; /* how many would be if nothing differed */
+} stltsa_compared;
+
+/* One of the two motions. A row. */
+typedef struct stltsa_compared_motion {
+    const char *path;      /* of the clip; "": from memory */
+    int64_t frames;        /* of the clip */
+    double fps;            /* of the clip; NaN: unknown */
+    int64_t label;
+    const char *letters;
+    int64_t cycles;        /* that were compared */
+    double cycles_per_min; /* 60 / mean cycle time */
+    const char *const *left_out; /* names in this clip that the other one lacks; NULL after the last */
+} stltsa_compared_motion;
 
 /* A joint, a point or a column of the file (part), or one of its coordinates (channel). Lengths and
- * angles are in the unit of the features. Append-only: set size to sizeof(stltsa_compared_part). */
+ * angles are in the unit of the features. A row. */
 typedef struct stltsa_compared_part {
-    size_t size;
     int64_t part;          /* index of the part; of a channel, of the part it belongs to */
-    double rms;            /* root mean square, over the cycle, of second minus first */
-    double chance;         /* rms expected from the spread between cycles alone */
-    double correlation;    /* of the two mean curves after the lag is removed */
+    const char *first;     /* its name in the first motion */
+    const char *second;    /* its name in the second; they differ for left and right */
+    const char *axis;      /* of a channel: "x", "y" or "z" of a position; such as "rz" of an angle; "1"
+                              to "6" of a rotation matrix; "" for the only one of a part, and of parts */
+    stltsa_estimate mean;  /* mean over the cycle; NaN for a part with several channels */
     stltsa_estimate lag;   /* how much later in its cycle the second motion does the same, relative
                               to the whole body (left and right: to half a cycle), as a share of the
                               cycle; first is 0, and the standard deviations are those of the timing
                               of single cycles. NaN if the curves are not alike (correlation below
                               0.7) */
+    stltsa_bounded lag_s;  /* the same in seconds, for the mean of both cycle times */
     stltsa_estimate amplitude; /* of the mean curve: largest distance between two of its points; of
                               one channel, the range (maximum minus minimum) */
-    double ratio;          /* amplitude of the second motion divided by that of the first */
-    double ratio_low, ratio_high; /* its interval */
-    double lag_s, lag_low_s, lag_high_s; /* lag in seconds, for the mean of both cycle times */
-    stltsa_estimate mean;  /* mean over the cycle; NaN for a part with several channels */
+    stltsa_bounded amplitude_ratio; /* amplitude of the second motion divided by that of the first */
+    double rms_difference; /* root mean square, over the cycle, of second minus first */
+    double rms_by_chance;  /* the same, expected from the spread between cycles alone */
+    double correlation;    /* of the two mean curves after the lag is removed */
 } stltsa_compared_part;
 
 /* Compares the features of two cyclic motions.
@@ -1407,19 +1332,13 @@ typedef struct stltsa_compared_part {
  * comparison     to be freed with stltsa_comparison_free; NULL on failure
  *
  * The cycles of the first motion are compared from border to border, those of the second from the
- * shift on; what comes before it follows at the end. E_NO_SUCH_PART: a clip has no cycles.
+ * shift on; what comes before it follows at the end. Option: progress. E_NO_SUCH_PART: a clip has no cycles.
  * E_ARGUMENT: a label has no cycles, or samples is out of range. E_SHAPE: the clips have different
  * kinds of features, or no name in common. */
-STLTSA_API stltsa_status stltsa_compare(const stltsa_phase *first, int32_t first_label,
-                                        const stltsa_phase *second, int32_t second_label,
-                                        int64_t samples,
+STLTSA_API stltsa_status stltsa_compare(const stltsa_phase *first, int64_t first_label,
+                                        const stltsa_phase *second, int64_t second_label,
+                                        int64_t samples, const stltsa_options *options,
                                         stltsa_comparison **comparison) STLTSA_NOEXCEPT;
-
-/* The same with options. Used: progress. */
-STLTSA_API stltsa_status stltsa_compare_with(const stltsa_phase *first, int32_t first_label,
-                                             const stltsa_phase *second, int32_t second_label,
-                                             int64_t samples, const stltsa_options *options,
-                                             stltsa_comparison **comparison) STLTSA_NOEXCEPT;
 
 /* Compares the left side of a body with its right side: the first motion is the left side, the
  * second the mirror image of the right side (stltsa_clip_mirror) half a cycle later, so that every
@@ -1431,7 +1350,7 @@ STLTSA_API stltsa_status stltsa_compare_with(const stltsa_phase *first, int32_t 
  * cycle are not known to be the same motion of opposite sides, no two names differ only in the side,
  * or the clip cannot be mirrored. */
 STLTSA_API stltsa_status stltsa_compare_left_right(const stltsa_clip *clip,
-                                                   const stltsa_phase *phase, int32_t label,
+                                                   const stltsa_phase *phase, int64_t label,
                                                    int64_t samples,
                                                    const stltsa_options *options,
                                                    stltsa_comparison **comparison) STLTSA_NOEXCEPT;
@@ -1454,73 +1373,24 @@ STLTSA_API stltsa_status stltsa_cycles_compare_left_right(const stltsa_cycles *c
     STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_comparison_free(stltsa_comparison *comparison) STLTSA_NOEXCEPT;
 
-STLTSA_API stltsa_status stltsa_comparison_cycles(const stltsa_comparison *comparison,
-                                                  stltsa_compared_cycles *cycles) STLTSA_NOEXCEPT;
-
-/* Joints, points or columns, in the order of the first clip. E_ARGUMENT: index is out of range. */
-STLTSA_API int64_t
-stltsa_comparison_part_count(const stltsa_comparison *comparison) STLTSA_NOEXCEPT;
-STLTSA_API stltsa_status stltsa_comparison_part(const stltsa_comparison *comparison, int64_t index,
-                                                stltsa_compared_part *part) STLTSA_NOEXCEPT;
-/* Name of a part in the first (0) or the second (1) motion; the two differ for left and right. ""
- * beyond the last. Valid, like all texts here, until the comparison is freed. */
-STLTSA_API const char *stltsa_comparison_part_name(const stltsa_comparison *comparison,
-                                                   int32_t which, int64_t index) STLTSA_NOEXCEPT;
-/* The coordinates of the parts, part by part. */
-STLTSA_API int64_t
-stltsa_comparison_channel_count(const stltsa_comparison *comparison) STLTSA_NOEXCEPT;
-STLTSA_API stltsa_status stltsa_comparison_channel(const stltsa_comparison *comparison,
-                                                   int64_t index,
-                                                   stltsa_compared_part *channel) STLTSA_NOEXCEPT;
-/* "x", "y" or "z" of a position; such as "rz" of an angle; "1" to "6" of a rotation matrix; "" for
- * the only channel of a part, and beyond the last. */
-STLTSA_API const char *stltsa_comparison_channel_axis(const stltsa_comparison *comparison,
-                                                      int64_t index) STLTSA_NOEXCEPT;
-
-/* Mean and standard deviation between cycles of the first (0) or the second (1) motion, samples x
- * channels; each may be NULL. Sample s of both is at phase s / (samples - 1) of the first motion. */
-STLTSA_API stltsa_status stltsa_comparison_curves(const stltsa_comparison *comparison,
-                                                  int32_t which, const stltsa_out *mean,
-                                                  const stltsa_out *deviation) STLTSA_NOEXCEPT;
-/* Second minus first at each sample, its standard error, and half the width of its interval: samples
- * x channels; each may be NULL. Each interval holds for one sample: of 100 samples without a
- * difference, about five intervals exclude 0 by chance. */
-STLTSA_API stltsa_status stltsa_comparison_difference(const stltsa_comparison *comparison,
-                                                      const stltsa_out *difference,
-                                                      const stltsa_out *standard_error,
-                                                      const stltsa_out *margin) STLTSA_NOEXCEPT;
-
-/* Names in the first (0) or the second (1) clip that the other one lacks. */
-STLTSA_API int64_t stltsa_comparison_left_out_count(const stltsa_comparison *comparison,
-                                                    int32_t which) STLTSA_NOEXCEPT;
-STLTSA_API const char *stltsa_comparison_left_out(const stltsa_comparison *comparison,
-                                                  int32_t which, int64_t index) STLTSA_NOEXCEPT;
-/* Warnings: few cycles, motions that are not alike, an uncertain shift, bodies of different size or
- * unit, and those of both phases (see stltsa_phase_warning). */
-STLTSA_API int64_t
-stltsa_comparison_warning_count(const stltsa_comparison *comparison) STLTSA_NOEXCEPT;
-STLTSA_API const char *stltsa_comparison_warning(const stltsa_comparison *comparison,
-                                                 int64_t index) STLTSA_NOEXCEPT;
-/* The object of schema stltsa-comparison/1; free it with stltsa_free. */
-STLTSA_API stltsa_status stltsa_comparison_json(const stltsa_comparison *comparison,
-                                                char **json) STLTSA_NOEXCEPT;
+/* Among its warnings: few cycles, motions that are not alike, an uncertain shift, bodies of different
+ * size or unit, and those of both phases. */
+STLTSA_API const stltsa_info *
+stltsa_comparison_info(const stltsa_comparison *comparison) STLTSA_NOEXCEPT;
 
 /* ---- Live phase ----------------------------------------------------------------------------- */
 
 /* Keeps in a model what a stream is compared with: the mean cycle of the clip's motion that has the
- * most frames in cycles. Model files keep it. Marks that were kept before are forgotten.
- * E_ARGUMENT: no cycles, or they are too short for the filter to settle. E_SHAPE: the features are
+ * most frames in cycles. Model files keep it. Marks that were kept before are forgotten. Option:
+ * progress. E_ARGUMENT: no cycles, or they are too short for the filter to settle. E_SHAPE: the features are
  * not those of the model. E_DEGENERATE: nothing is left to compare a stream with, because all
  * columns only drift. */
-STLTSA_API stltsa_status stltsa_model_keep_cycle(stltsa_model *model,
-                                                 const stltsa_phase *phase) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_model_keep_cycle(stltsa_model *model, const stltsa_phase *phase,
+                                                 const stltsa_options *options) STLTSA_NOEXCEPT;
 /* Names the phase of a frame (not rounded) in those cycles, which a stream reports as it passes. At
  * most 62. E_ARGUMENT: the frame lies in no cycle of that motion; no name. */
 STLTSA_API stltsa_status stltsa_model_keep_mark(stltsa_model *model, const stltsa_phase *phase,
                                                 double frame, const char *name) STLTSA_NOEXCEPT;
-/* 1 if the model keeps a mean cycle. */
-STLTSA_API int32_t stltsa_model_has_cycle(const stltsa_model *model) STLTSA_NOEXCEPT;
-
 /* Follows one stream: push one frame after another, each in the form in which it comes. The model
  * may be freed before it. Only stltsa_live_new allocates memory. No answer depends on later frames,
  * and there is no delay. */
@@ -1529,7 +1399,7 @@ typedef struct stltsa_live stltsa_live;
 /* Append-only: set size to sizeof(stltsa_live_frame). */
 typedef struct stltsa_live_frame {
     size_t size;
-    int64_t passed;    /* bit i: mark i (stltsa_live_mark_name) was passed since the frame before */
+    int64_t passed;    /* bit i: mark i (STLTSA_INFO_MARK) was passed since the frame before */
     double phase;      /* of the clip that was kept, in [0, 1) */
     double rate_hz;    /* turns a second */
     double cycles;     /* turns since the first frame, not rounded */
@@ -1543,10 +1413,7 @@ typedef struct stltsa_live_frame {
 STLTSA_API stltsa_status stltsa_live_new(const stltsa_model *model,
                                          stltsa_live **live) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_live_free(stltsa_live *live) STLTSA_NOEXCEPT;
-/* Marks of the model, in the order in which they were kept. */
-STLTSA_API int64_t stltsa_live_mark_count(const stltsa_live *live) STLTSA_NOEXCEPT;
-STLTSA_API const char *stltsa_live_mark_name(const stltsa_live *live,
-                                             int64_t index) STLTSA_NOEXCEPT;
+STLTSA_API const stltsa_info *stltsa_live_info(const stltsa_live *live) STLTSA_NOEXCEPT;
 
 /* Each of these functions takes the next frame.
  * seconds   time of the frame; rises from call to call. Frames may be dropped, since only their
@@ -1610,8 +1477,10 @@ STLTSA_API stltsa_status stltsa_report_save(const stltsa_clip *clip,
                                             const char *path) STLTSA_NOEXCEPT;
 /* Writes a report of a comparison in the same way: one HTML page with both mean cycles as moving
  * bodies, the largest differences in timing and amplitude with their confidence intervals, the
- * curves of each part with standard deviation, tables and warnings. command: as above. E_IO. */
+ * curves of each part with standard deviation, tables and warnings. command: as above. Option:
+ * progress. E_IO. */
 STLTSA_API stltsa_status stltsa_comparison_report_save(const stltsa_comparison *comparison,
+                                                       const stltsa_options *options,
                                                        const char *command,
                                                        const char *path) STLTSA_NOEXCEPT;
 
@@ -1637,17 +1506,15 @@ STLTSA_API void stltsa_denoising_free(stltsa_denoising *denoising) STLTSA_NOEXCE
 STLTSA_API const stltsa_info *
 stltsa_denoising_info(const stltsa_denoising *denoising) STLTSA_NOEXCEPT;
 
-/* rows x columns: the fitted curve f_c; the points after equation (1); the displacement of each
- * point (0: not moved). */
-STLTSA_API stltsa_status stltsa_denoising_curve(const stltsa_denoising *denoising,
-                                                const stltsa_out *curve) STLTSA_NOEXCEPT;
-STLTSA_API stltsa_status stltsa_denoising_cleaned(const stltsa_denoising *denoising,
-                                                  const stltsa_out *cleaned) STLTSA_NOEXCEPT;
-STLTSA_API stltsa_status stltsa_denoising_moves(const stltsa_denoising *denoising,
-                                                const stltsa_out *moves) STLTSA_NOEXCEPT;
-/* The object of schema stltsa-denoising/1. */
-STLTSA_API stltsa_status stltsa_denoising_json(const stltsa_denoising *denoising,
-                                               char **json) STLTSA_NOEXCEPT;
+/* One column of a denoising. A row. */
+typedef struct stltsa_denoised_column {
+    double gamma;              /* threshold that was used */
+    double shift;              /* d_t: mean distance of the points beyond gamma */
+    double noise;              /* robust standard deviation of the residuals */
+    double noise_share;        /* noise as a share of the range of the curve */
+    double degrees_of_freedom; /* effective, of the curve */
+    int64_t moved;             /* points that were moved */
+} stltsa_denoised_column;
 
 /* ---- New motion from units (section 4) ---------------------------------------------------- */
 
@@ -1695,32 +1562,31 @@ stltsa_synthesis_info(const stltsa_synthesis *synthesis) STLTSA_NOEXCEPT;
 STLTSA_API const stltsa_clip *
 stltsa_synthesis_clip(const stltsa_synthesis *synthesis) STLTSA_NOEXCEPT;
 
-/* The place at which one piece is followed by another, or by its own repetition. Append-only: set
- * size to sizeof(stltsa_seam). */
+/* The place at which one piece is followed by another, or by its own repetition. A row. */
 typedef struct stltsa_seam {
-    size_t size;
     int64_t frame;           /* first frame of the new clip that belongs to the later piece; of a
                                 loop's wrap, the number of frames */
+    double time_s;           /* its time */
     int64_t piece, next;     /* indices of the pieces that meet */
-    int64_t cut_end, cut_begin; /* the cuts, in frames of their clips (after any resampling): the
-                                   earlier piece ends before cut_end, the later starts at
-                                   cut_begin */
+    int64_t cut_end;         /* the earlier piece ends before this frame of its clip, after any
+                                resampling */
+    int64_t cut_begin;       /* the later piece starts at this frame of its clip */
     int64_t crossfade;       /* frames to each side that are blended; 0: none */
+    double crossfade_s;      /* the same in seconds */
     double posture;          /* distance of postures and velocities at the cuts, divided by the
                                 usual distance between repetitions of the same motion */
-    double step, acceleration; /* largest pose step, and second difference, near the seam, divided
-                                by the 95th percentile in the pieces; invisible up to 1 */
+    double step;             /* largest pose step near the seam, divided by the 95th percentile in the
+                                pieces; invisible up to 1 */
+    double acceleration;     /* the same of the second difference */
+    int64_t wrap;            /* 1: the wrap of a loop */
 } stltsa_seam;
-STLTSA_API int64_t stltsa_synthesis_seam_count(const stltsa_synthesis *synthesis) STLTSA_NOEXCEPT;
-STLTSA_API stltsa_status stltsa_synthesis_seam(const stltsa_synthesis *synthesis, int64_t index,
-                                               stltsa_seam *seam) STLTSA_NOEXCEPT;
-STLTSA_API int64_t
-stltsa_synthesis_warning_count(const stltsa_synthesis *synthesis) STLTSA_NOEXCEPT;
-STLTSA_API const char *stltsa_synthesis_warning(const stltsa_synthesis *synthesis,
-                                                int64_t index) STLTSA_NOEXCEPT;
-/* The object of schema stltsa-synthesis/1. */
-STLTSA_API stltsa_status stltsa_synthesis_json(const stltsa_synthesis *synthesis,
-                                               char **json) STLTSA_NOEXCEPT;
+
+/* What a piece was made of. A row. */
+typedef struct stltsa_piece_fact {
+    const char *path;        /* of its clip; "": from memory */
+    int64_t begin, end;      /* its frames there, [begin, end) */
+    int64_t repeat;          /* how often it is played */
+} stltsa_piece_fact;
 
 #ifdef __cplusplus
 }

@@ -27,6 +27,12 @@ enum class WarningCode : std::int32_t {
     not_blended = 14,
     no_order = 15,
     linear_phase = 16,
+    several_places = 17,
+    not_found = 18,
+    few_cycles = 19,
+    not_alike = 20,
+    uncertain_shift = 21,
+    sizes_differ = 22,
 };
 
 inline constexpr double no_time = std::numeric_limits<double>::quiet_NaN();

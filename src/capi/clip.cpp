@@ -36,12 +36,6 @@ static_assert(
     same(clip::Format::glb, STLTSA_FORMAT_GLB) && same(clip::Format::c3d, STLTSA_FORMAT_C3D) &&
     same(clip::Format::trc, STLTSA_FORMAT_TRC) && same(clip::Format::mot, STLTSA_FORMAT_MOT));
 
-const clip::Skeleton& skeleton_of(const stltsa_clip& clip) {
-    if (!clip.clip.skeleton)
-        fail(Status::unsupported, "the clip has no skeleton: it was read from a matrix of numbers");
-    return *clip.clip.skeleton;
-}
-
 Matrix clip_features(const stltsa_clip& clip, const stltsa_options* options) {
     const auto prepare = capi::OptionsReader(options).prepare_options();
     return clip::feature_rows(clip.clip, prepare.features, prepare.up, prepare.gaps).rows;
@@ -91,11 +85,11 @@ std::unique_ptr<stltsa_clip> cut(const stltsa_clip& whole, const std::string& wh
     return made;
 }
 
-/// The stretch of the clip; all of it if `what` is empty. `text`: how the caller names it.
-std::unique_ptr<stltsa_clip> stretch_of(clip::Clip whole, const std::string& what,
-                                        const std::string& text,
-                                        const capi::OptionsReader& reader) {
-    auto made = std::make_unique<stltsa_clip>(std::move(whole));
+/// The clip at a path, or the stretch of it that follows the path.
+std::unique_ptr<stltsa_clip> read_stretch(const std::string& text,
+                                          const capi::OptionsReader& reader) {
+    const auto [path, what] = clip::split_stretch(text);
+    auto made = std::make_unique<stltsa_clip>(clip::read(path, reader.read_options()));
     if (what.empty())
         return made;
     try {
@@ -103,12 +97,6 @@ std::unique_ptr<stltsa_clip> stretch_of(clip::Clip whole, const std::string& wha
     } catch (const Error& error) {
         fail(error.status(), "{}: {}", text, error.what());
     }
-}
-
-/// The clip at a path, or the stretch of it that follows the path.
-std::unique_ptr<stltsa_clip> read_path(const std::string& text, const capi::OptionsReader& reader) {
-    const auto [path, what] = clip::split_stretch(text);
-    return stretch_of(clip::read(path, reader.read_options()), what, text, reader);
 }
 
 clip::Format format_of(int32_t format, std::string_view bytes) {
@@ -123,7 +111,20 @@ stltsa_status stltsa_clip_open(const char* path, const stltsa_options* options,
         required(clip, "clip") = nullptr;
         const capi::OptionsReader reader(options);
         reader.progress().report(Stage::read, 0);
-        auto made = read_path(&required(path, "path"), reader);
+        auto made = std::make_unique<stltsa_clip>(
+            clip::read(&required(path, "path"), reader.read_options()));
+        reader.progress().report(Stage::read, 1);
+        *clip = made.release();
+    });
+}
+
+stltsa_status stltsa_clip_open_stretch(const char* text, const stltsa_options* options,
+                                       stltsa_clip** clip) noexcept {
+    return compute([&] {
+        required(clip, "clip") = nullptr;
+        const capi::OptionsReader reader(options);
+        reader.progress().report(Stage::read, 0);
+        auto made = read_stretch(&required(text, "text"), reader);
         reader.progress().report(Stage::read, 1);
         *clip = made.release();
     });
@@ -139,11 +140,11 @@ stltsa_status stltsa_clip_parse(const void* bytes, size_t size, int32_t format, 
         const std::string_view all(text, size);
         const capi::OptionsReader reader(options);
         reader.progress().report(Stage::read, 0);
-        const auto [path, what] = clip::split_stretch(name == nullptr ? "" : name);
+        const std::string path = name == nullptr ? "" : name;
         clip::Clip whole = clip::parse(all, format_of(format, all), path.empty() ? "memory" : path,
                                        reader.read_options());
         whole.path = path;
-        auto made = stretch_of(std::move(whole), what, name == nullptr ? "" : name, reader);
+        auto made = std::make_unique<stltsa_clip>(std::move(whole));
         reader.progress().report(Stage::read, 1);
         *clip = made.release();
     });
@@ -200,8 +201,8 @@ stltsa_status stltsa_clip_find(const stltsa_clip* clip, const char* what,
             const auto seconds = [&](std::int64_t frame) {
                 return whole.fps > 0 ? static_cast<double>(frame) / whole.fps : 0;
             };
-            (&required(intervals, "intervals"))[i] = {
-                frames.begin, frames.end, seconds(frames.begin), seconds(frames.end), 0, 0};
+            (&required(intervals, "intervals"))[i] = {frames.begin, frames.end,
+                                                      seconds(frames.begin), seconds(frames.end)};
         }
         *count = std::ssize(found);
     });
@@ -217,73 +218,6 @@ int64_t stltsa_clip_frames(const stltsa_clip* clip) noexcept {
 
 double stltsa_clip_fps(const stltsa_clip* clip) noexcept {
     return clip == nullptr ? 0 : clip->clip.fps;
-}
-
-int32_t stltsa_clip_format(const stltsa_clip* clip) noexcept {
-    return clip == nullptr ? 0 : static_cast<int32_t>(clip->clip.format);
-}
-
-int64_t stltsa_clip_channels(const stltsa_clip* clip) noexcept {
-    return clip == nullptr ? 0 : clip->clip.values.cols();
-}
-
-int64_t stltsa_clip_joints(const stltsa_clip* clip) noexcept {
-    if (clip == nullptr || !clip->clip.skeleton)
-        return 0;
-    return static_cast<int64_t>(clip->clip.skeleton->joints.size());
-}
-
-stltsa_status stltsa_clip_joint(const stltsa_clip* clip, int64_t index,
-                                stltsa_joint* joint) noexcept {
-    return guard([&] {
-        const auto& joints = skeleton_of(required(clip, "clip")).joints;
-        if (index < 0 || index >= std::ssize(joints))
-            fail(Status::argument, "joint {} is not in 0 .. {}", index, joints.size() - 1);
-        const auto at = static_cast<std::size_t>(index);
-        stltsa_joint found{};
-        found.name = joints[at].name.c_str();
-        found.parent = joints[at].parent;
-        std::ranges::copy(joints[at].offset, found.offset);
-        found.channels = clip->channels.empty() ? nullptr : clip->channels[at].c_str();
-        found.is_end_site = joints[at].end_site ? 1 : 0;
-        capi::give(found, joint, "joint", "stltsa_joint");
-    });
-}
-
-int64_t stltsa_clip_event_count(const stltsa_clip* clip) noexcept {
-    return clip == nullptr ? 0 : std::ssize(clip->clip.events);
-}
-
-stltsa_status stltsa_clip_event(const stltsa_clip* clip, int64_t index,
-                                stltsa_file_event* event) noexcept {
-    return guard([&] {
-        const clip::Clip& of = required(clip, "clip").clip;
-        if (index < 0 || index >= std::ssize(of.events))
-            fail(Status::argument, "event {}: the clip has {} events", index, of.events.size());
-        const clip::Event& at = of.events[static_cast<std::size_t>(index)];
-        stltsa_file_event found{};
-        found.label = at.label.c_str();
-        found.context = at.context.c_str();
-        found.frame = at.frame;
-        found.seconds = of.fps > 0 ? at.frame / of.fps : 0;
-        capi::give(found, event, "event", "stltsa_file_event");
-    });
-}
-
-stltsa_status stltsa_clip_positions(const stltsa_clip* clip, const stltsa_out* positions) noexcept {
-    return guard([&] {
-        const auto joints = static_cast<int64_t>(skeleton_of(required(clip, "clip")).joints.size());
-        capi::check_output(positions, "positions", clip->clip.frames(), 3 * joints);
-        capi::write_output(positions, "positions", clip::positions(clip->clip).view());
-    });
-}
-
-stltsa_status stltsa_clip_rotations(const stltsa_clip* clip, const stltsa_out* rotations) noexcept {
-    return guard([&] {
-        const auto joints = static_cast<int64_t>(skeleton_of(required(clip, "clip")).joints.size());
-        capi::check_output(rotations, "rotations", clip->clip.frames(), 4 * joints);
-        capi::write_output(rotations, "rotations", clip::rotations(clip->clip).view());
-    });
 }
 
 stltsa_status stltsa_clip_feature_count(const stltsa_clip* clip, const stltsa_options* options,
@@ -303,19 +237,8 @@ stltsa_status stltsa_clip_features(const stltsa_clip* clip, const stltsa_options
     });
 }
 
-stltsa_status stltsa_clip_json(const stltsa_clip* clip, char** json) noexcept {
-    return guard([&] {
-        required(json, "json") = nullptr;
-        *json = capi::caller_string(capi::clip_json(required(clip, "clip").clip));
-    });
-}
-
-stltsa_status stltsa_clip_save(const stltsa_clip* clip, const char* path) noexcept {
-    return stltsa_clip_save_with(clip, path, nullptr);
-}
-
-stltsa_status stltsa_clip_save_with(const stltsa_clip* clip, const char* path,
-                                    const stltsa_options* options) noexcept {
+stltsa_status stltsa_clip_save(const stltsa_clip* clip, const char* path,
+                               const stltsa_options* options) noexcept {
     return guard([&] {
         const capi::OptionsReader reader(options);
         clip::write(required(clip, "clip").clip, &required(path, "path"), reader.progress());

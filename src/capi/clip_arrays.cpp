@@ -3,6 +3,8 @@
 #include "clip/arrays/arrays.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstring>
 #include <memory>
 
 #include "capi/boundary/arrays.hpp"
@@ -81,20 +83,16 @@ void set_channels(const char* text, clip::Joint& joint) {
     }
 }
 
-clip::Skeleton skeleton_of(const stltsa_joint* joints, std::int64_t count) {
+/// `size`: of the caller's struct, which is the step from joint to joint.
+clip::Skeleton skeleton_of(const stltsa_joint* joints, std::size_t size, std::int64_t count) {
     check_count(count, "joints");
+    if (size < offsetof(stltsa_joint, is_end_site))
+        fail(Status::argument, "joint_size is {}; it must be sizeof(stltsa_joint)", size);
     clip::Skeleton skeleton;
     const char* at = reinterpret_cast<const char*>(&required(joints, "joints"));
-    const std::size_t size = joints->size; // the caller's, which is the step from joint to joint
     for (std::int64_t j = 0; j < count; ++j) {
-        const auto* given =
-            reinterpret_cast<const stltsa_joint*>(at + static_cast<std::size_t>(j) * size);
-        const stltsa_joint known = capi::taken(given, "joints", "stltsa_joint");
-        if (known.size != size)
-            fail(Status::argument,
-                 "joints[{}].size is {}, joints[0].size is {}: set all to "
-                 "sizeof(stltsa_joint)",
-                 j, known.size, size);
+        stltsa_joint known{};
+        std::memcpy(&known, at + static_cast<std::size_t>(j) * size, std::min(size, sizeof known));
         clip::Joint joint;
         joint.name = checked_name(known.name, "joint", j);
         joint.parent = static_cast<int>(std::clamp<std::int64_t>(known.parent, -2, most_items));
@@ -131,17 +129,18 @@ std::vector<std::string> stltsa::capi::channel_texts(const clip::Clip& clip) {
     return texts;
 }
 
-stltsa_status stltsa_clip_from_skeleton(const stltsa_joint* joints, int64_t count, int32_t form,
-                                        const stltsa_in* rotations, const stltsa_in* root_positions,
-                                        double fps, stltsa_clip** clip) noexcept {
+stltsa_status stltsa_clip_from_skeleton(const stltsa_joint* joints, size_t joint_size,
+                                        int64_t count, int32_t form, const stltsa_in* rotations,
+                                        const stltsa_in* root_positions, double fps,
+                                        stltsa_clip** clip) noexcept {
     return guard([&] {
         required(clip, "clip") = nullptr;
         capi::check_rate(fps);
         const capi::InputFrames frames(rotations, "rotations");
         const capi::InputFrames root = optional_input(root_positions, "root_positions");
         auto made = std::make_unique<stltsa_clip>(clip::clip_from_skeleton(
-            {skeleton_of(joints, count), static_cast<clip::RotationForm>(form), frames.view(),
-             root.view(), fps}));
+            {skeleton_of(joints, joint_size, count), static_cast<clip::RotationForm>(form),
+             frames.view(), root.view(), fps}));
         *clip = made.release();
     });
 }

@@ -10,18 +10,6 @@ using capi::compute;
 using capi::guard;
 using capi::required;
 
-namespace {
-
-stltsa_status write_matrix(const stltsa_denoising* denoising, Matrix motion::Denoised::*which,
-                           const stltsa_out* out, const char* name) {
-    return compute([&] {
-        const Matrix& matrix = required(denoising, "denoising").result.*which;
-        capi::write_output(out, name, matrix.view());
-    });
-}
-
-} // namespace
-
 stltsa_status stltsa_denoise(const stltsa_in* coords, const stltsa_in* lengths,
                              const stltsa_options* options, stltsa_denoising** denoising) noexcept {
     return compute([&] {
@@ -49,26 +37,4 @@ stltsa_status stltsa_denoise_model(const stltsa_model* model, const stltsa_optio
 
 void stltsa_denoising_free(stltsa_denoising* denoising) noexcept {
     delete denoising;
-}
-
-stltsa_status stltsa_denoising_curve(const stltsa_denoising* denoising,
-                                     const stltsa_out* curve) noexcept {
-    return write_matrix(denoising, &motion::Denoised::curve, curve, "curve");
-}
-
-stltsa_status stltsa_denoising_cleaned(const stltsa_denoising* denoising,
-                                       const stltsa_out* cleaned) noexcept {
-    return write_matrix(denoising, &motion::Denoised::cleaned, cleaned, "cleaned");
-}
-
-stltsa_status stltsa_denoising_moves(const stltsa_denoising* denoising,
-                                     const stltsa_out* moves) noexcept {
-    return write_matrix(denoising, &motion::Denoised::moves, moves, "moves");
-}
-
-stltsa_status stltsa_denoising_json(const stltsa_denoising* denoising, char** json) noexcept {
-    return guard([&] {
-        required(json, "json") = nullptr;
-        *json = capi::caller_string(capi::denoising_json(required(denoising, "denoising")));
-    });
 }

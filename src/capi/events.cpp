@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <cmath>
 #include <vector>
 
 #include "capi/boundary/arrays.hpp"
 #include "capi/boundary/guard.hpp"
-#include "capi/boundary/structs.hpp"
 #include "capi/handles.hpp"
 #include "capi/options/reader.hpp"
 
@@ -35,13 +33,8 @@ std::vector<double> marks_of(const stltsa_in* marks, const results::Phased& from
 } // namespace
 
 stltsa_status stltsa_events_find(const stltsa_phase* from, const stltsa_in* marks,
-                                 const stltsa_phase* in, stltsa_events** events) noexcept {
-    return stltsa_events_find_with(from, marks, in, nullptr, events);
-}
-
-stltsa_status stltsa_events_find_with(const stltsa_phase* from, const stltsa_in* marks,
-                                      const stltsa_phase* in, const stltsa_options* options,
-                                      stltsa_events** events) noexcept {
+                                 const stltsa_phase* in, const stltsa_options* options,
+                                 stltsa_events** events) noexcept {
     return compute([&] {
         required(events, "events") = nullptr;
         const results::Phased& source = required(from, "from");
@@ -54,40 +47,4 @@ stltsa_status stltsa_events_find_with(const stltsa_phase* from, const stltsa_in*
 
 void stltsa_events_free(stltsa_events* events) noexcept {
     delete events;
-}
-
-int64_t stltsa_events_count(const stltsa_events* events) noexcept {
-    return events == nullptr ? 0 : static_cast<int64_t>(events->events.size());
-}
-
-stltsa_status stltsa_events_event(const stltsa_events* events, int64_t index,
-                                  stltsa_event* event) noexcept {
-    return guard([&] {
-        const auto& all = required(events, "events").events;
-        if (index < 0 || index >= static_cast<int64_t>(all.size()))
-            fail(Status::argument, "event {} does not exist: there are {}", index, all.size());
-        const results::FoundEvent& found = all[static_cast<std::size_t>(index)];
-        const stltsa_event copy = {sizeof(stltsa_event),
-                                   found.cycle,
-                                   found.frame,
-                                   found.seconds,
-                                   found.confidence,
-                                   found.marked ? 1 : 0,
-                                   0};
-        capi::give(copy, event, "event", "stltsa_event");
-    });
-}
-
-double stltsa_events_likeness(const stltsa_events* events) noexcept {
-    return events == nullptr ? 0 : events->likeness;
-}
-
-int64_t stltsa_events_warning_count(const stltsa_events* events) noexcept {
-    return events == nullptr ? 0 : static_cast<int64_t>(events->warnings.size());
-}
-
-const char* stltsa_events_warning(const stltsa_events* events, int64_t index) noexcept {
-    if (index < 0 || index >= stltsa_events_warning_count(events))
-        return "";
-    return events->warnings[static_cast<std::size_t>(index)].c_str();
 }

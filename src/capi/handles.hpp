@@ -62,36 +62,40 @@ struct stltsa_model : stltsa_info, stltsa::results::Fitted {
     mutable std::optional<stltsa::ltsa::Mapping> mapping;
 };
 
-struct stltsa_dimension : stltsa_info, stltsa::results::EstimatedDimension {
-    explicit stltsa_dimension(EstimatedDimension of)
-        : stltsa_info{&stltsa::capi::dimension_table}, EstimatedDimension(std::move(of)) {}
-};
-
 struct stltsa_decomposition : stltsa_info, stltsa::results::Decomposed {
     explicit stltsa_decomposition(Decomposed of)
         : stltsa_info{&stltsa::capi::decomposition_table}, Decomposed(std::move(of)) {}
 };
 
 /// Shares the phase with its decomposition.
-struct stltsa_phase {
+struct stltsa_phase : stltsa_info {
+    explicit stltsa_phase(std::shared_ptr<const stltsa::results::Phased> of)
+        : stltsa_info{&stltsa::capi::phase_table}, found(std::move(of)) {}
+
     std::shared_ptr<const stltsa::results::Phased> found;
 
     operator const stltsa::results::Phased&() const { return *found; }
 };
 
-struct stltsa_cycles : stltsa::phase::Resampled {
-    explicit stltsa_cycles(Resampled of) : Resampled(std::move(of)) {}
+struct stltsa_cycles : stltsa_info, stltsa::phase::Resampled {
+    explicit stltsa_cycles(Resampled of)
+        : stltsa_info{&stltsa::capi::cycles_table}, Resampled(std::move(of)) {}
 };
 
-struct stltsa_comparison : stltsa::results::Comparison {
-    explicit stltsa_comparison(Comparison of) : Comparison(std::move(of)) {}
+struct stltsa_comparison : stltsa_info, stltsa::results::Comparison {
+    explicit stltsa_comparison(Comparison of);
+
+    stltsa::results::Texts texts;   ///< that the next ones are
+    const char* const* left_out[2]; ///< names that the other motion lacks
+    std::string letters[2];
 };
 
-struct stltsa_events : stltsa::results::FoundEvents {
-    explicit stltsa_events(FoundEvents of) : FoundEvents(std::move(of)) {}
+struct stltsa_events : stltsa_info, stltsa::results::FoundEvents {
+    explicit stltsa_events(FoundEvents of)
+        : stltsa_info{&stltsa::capi::events_table}, FoundEvents(std::move(of)) {}
 };
 
-struct stltsa_live {
+struct stltsa_live : stltsa_info {
     std::vector<std::string> names; ///< of the marks
     stltsa::clip::FrameFeatures features;
     stltsa::phase::LivePhase phase;
@@ -103,8 +107,8 @@ struct stltsa_live {
 
     stltsa_live(std::vector<std::string> of, stltsa::clip::FrameFeatures frames,
                 stltsa::phase::LivePhase follows)
-        : names(std::move(of)), features(std::move(frames)), phase(std::move(follows)),
-          row(static_cast<std::size_t>(features.features())) {
+        : stltsa_info{&stltsa::capi::live_table}, names(std::move(of)), features(std::move(frames)),
+          phase(std::move(follows)), row(static_cast<std::size_t>(features.features())) {
         std::size_t joints = 0;
         if (features.has_skeleton())
             joints = features.skeleton().joints.size();

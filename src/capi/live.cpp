@@ -7,6 +7,7 @@
 #include "capi/boundary/guard.hpp"
 #include "capi/boundary/structs.hpp"
 #include "capi/handles.hpp"
+#include "capi/options/reader.hpp"
 #include "clip/arrays/arrays.hpp"
 #include "results/keep_cycle.hpp"
 
@@ -126,9 +127,12 @@ bool read_pose(stltsa_live& stream, clip::RotationForm form, const stltsa_in& ro
 
 } // namespace
 
-stltsa_status stltsa_model_keep_cycle(stltsa_model* model, const stltsa_phase* phase) noexcept {
-    return compute(
-        [&] { results::keep_cycle(required(model, "model"), required(phase, "phase")); });
+stltsa_status stltsa_model_keep_cycle(stltsa_model* model, const stltsa_phase* phase,
+                                      const stltsa_options* options) noexcept {
+    return compute([&] {
+        const capi::OptionsReader reader(options);
+        results::keep_cycle(required(model, "model"), required(phase, "phase"));
+    });
 }
 
 stltsa_status stltsa_model_keep_mark(stltsa_model* model, const stltsa_phase* phase, double frame,
@@ -137,10 +141,6 @@ stltsa_status stltsa_model_keep_mark(stltsa_model* model, const stltsa_phase* ph
         results::keep_mark(required(model, "model"), required(phase, "phase"), frame,
                            &required(name, "name"));
     });
-}
-
-int32_t stltsa_model_has_cycle(const stltsa_model* model) noexcept {
-    return model != nullptr && model->live.has_cycle ? 1 : 0;
 }
 
 stltsa_status stltsa_live_new(const stltsa_model* model, stltsa_live** live) noexcept {
@@ -158,16 +158,6 @@ stltsa_status stltsa_live_new(const stltsa_model* model, stltsa_live** live) noe
 
 void stltsa_live_free(stltsa_live* live) noexcept {
     delete live;
-}
-
-int64_t stltsa_live_mark_count(const stltsa_live* live) noexcept {
-    return live == nullptr ? 0 : static_cast<int64_t>(live->names.size());
-}
-
-const char* stltsa_live_mark_name(const stltsa_live* live, int64_t index) noexcept {
-    if (index < 0 || index >= stltsa_live_mark_count(live))
-        return "";
-    return live->names[static_cast<std::size_t>(index)].c_str();
 }
 
 stltsa_status stltsa_live_push(stltsa_live* live, double seconds, const stltsa_in* features,

@@ -4,6 +4,7 @@
 
 #include "capi/boundary/guard.hpp"
 #include "capi/handles.hpp"
+#include "capi/options/reader.hpp"
 #include "clip/files/read_file.hpp"
 #include "clip/files/write_file.hpp"
 #include "results/model_file/archive_model.hpp"
@@ -38,19 +39,26 @@ stltsa_status stltsa_model_parse(const void* bytes, size_t size, stltsa_model** 
     });
 }
 
-stltsa_status stltsa_model_save(const stltsa_model* model, const char* path) noexcept {
+stltsa_status stltsa_model_save(const stltsa_model* model, const char* path,
+                                const stltsa_options* options) noexcept {
     return guard([&] {
+        const capi::OptionsReader reader(options);
         const std::uint64_t needed = results::archive_size(required(model, "model"));
-        clip::write_file(&required(path, "path"),
-                         [&](const Sink& sink) { results::archive_model(*model, needed, sink); });
+        const Progress progress = reader.progress();
+        clip::write_file(
+            &required(path, "path"),
+            [&](const Sink& sink) { results::archive_model(*model, needed, sink); },
+            [&] { progress.report(Stage::write, 1); });
     });
 }
 
-stltsa_status stltsa_model_load(const char* path, stltsa_model** model) noexcept {
+stltsa_status stltsa_model_load(const char* path, const stltsa_options* options,
+                                stltsa_model** model) noexcept {
     return guard([&] {
+        const capi::OptionsReader reader(options);
         required(model, "model") = nullptr;
         const std::string name = &required(path, "path");
-        const std::string bytes = clip::read_file(name, {});
+        const std::string bytes = clip::read_file(name, reader.progress());
         try {
             *model = new stltsa_model(results::restore_model(bytes));
         } catch (const Error& error) {

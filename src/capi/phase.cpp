@@ -42,37 +42,6 @@ void check_borders(const phase::Borders& borders, int64_t rows) {
     }
 }
 
-/// Writes an output that may be NULL.
-void write_wanted(const stltsa_out* out, const char* name, const Matrix& values) {
-    if (out != nullptr)
-        capi::write_output(out, name, values.view());
-}
-
-void check_wanted(const stltsa_out* out, const char* name, const Matrix& values) {
-    if (out != nullptr)
-        capi::check_output(out, name, values.rows(), values.cols());
-}
-
-Matrix column(const std::vector<double>& values) {
-    Matrix result(static_cast<int64_t>(values.size()), 1);
-    std::ranges::copy(values, result.data());
-    return result;
-}
-
-struct Wanted {
-    const stltsa_out* out;
-    const char* name;
-    const Matrix& values;
-};
-
-/// All or, after an error, none.
-void write_all(std::initializer_list<Wanted> all) {
-    for (const Wanted& wanted : all)
-        check_wanted(wanted.out, wanted.name, wanted.values);
-    for (const Wanted& wanted : all)
-        write_wanted(wanted.out, wanted.name, wanted.values);
-}
-
 } // namespace
 
 stltsa_status stltsa_phase_find(const stltsa_decomposition* decomposition,
@@ -81,7 +50,7 @@ stltsa_status stltsa_phase_find(const stltsa_decomposition* decomposition,
         required(phase, "phase") = nullptr;
         const results::Decomposed& of = required(decomposition, "decomposition");
         const capi::OptionsReader reader(options);
-        *phase = new stltsa_phase{results::phase_of(of, reader.progress())};
+        *phase = new stltsa_phase(results::phase_of(of, reader.progress()));
     });
 }
 
@@ -89,61 +58,25 @@ void stltsa_phase_free(stltsa_phase* phase) noexcept {
     delete phase;
 }
 
-stltsa_status stltsa_phase_values(const stltsa_phase* phase, const stltsa_out* values,
-                                  const stltsa_out* residual, const stltsa_out* cycle) noexcept {
-    return guard([&] {
-        const results::Phased& found = required(phase, "phase");
-        if (cycle != nullptr)
-            capi::check_integers(cycle, "cycle", found.clip.frames);
-        write_all({{values, "values", column(found.phase)},
-                   {residual, "residual", column(found.residual)}});
-        if (cycle != nullptr)
-            capi::write_integers(cycle, "cycle", found.cycle);
-    });
-}
-
-stltsa_status stltsa_phase_zero(const stltsa_phase* phase, int32_t label, double* zero) noexcept {
-    return guard([&] {
-        required(zero, "zero") = none;
-        const results::Phased& of = required(phase, "phase");
-        *zero = results::motion_of(of, label).phases.zero;
-    });
-}
-
-int64_t stltsa_phase_warning_count(const stltsa_phase* phase) noexcept {
-    return phase == nullptr ? 0 : static_cast<int64_t>(phase->found->warnings.size());
-}
-
-const char* stltsa_phase_warning(const stltsa_phase* phase, int64_t index) noexcept {
-    if (index < 0 || index >= stltsa_phase_warning_count(phase))
-        return "";
-    return phase->found->warnings[static_cast<std::size_t>(index)].c_str();
-}
-
-int64_t stltsa_phase_column_count(const stltsa_phase* phase) noexcept {
-    return phase == nullptr ? 0 : static_cast<int64_t>(phase->found->owners.size());
-}
-
-const char* stltsa_phase_column_owner(const stltsa_phase* phase, int64_t index) noexcept {
-    if (index < 0 || index >= stltsa_phase_column_count(phase))
-        return "";
-    return phase->found->owners[static_cast<std::size_t>(index)].c_str();
-}
-
-stltsa_status stltsa_cycles_resample(const stltsa_phase* phase, int32_t label,
+stltsa_status stltsa_cycles_resample(const stltsa_phase* phase, int64_t label,
                                      const stltsa_in* signals, int64_t samples,
+                                     const stltsa_options* options,
                                      stltsa_cycles** cycles) noexcept {
     return compute([&] {
         required(cycles, "cycles") = nullptr;
         const results::Phased& by = required(phase, "phase");
         const capi::InputFrames input(signals, "signals");
         capi::check_samples(samples);
-        *cycles = new stltsa_cycles(results::resample(by, label, input.view(), samples));
+        const capi::OptionsReader reader(options);
+        const Progress progress = reader.progress();
+        *cycles = new stltsa_cycles(results::resample(by, label, input.view(), samples,
+                                                      [&] { progress.report(Stage::units, 1); }));
     });
 }
 
 stltsa_status stltsa_cycles_between(const stltsa_in* borders, const stltsa_in* signals,
-                                    int64_t samples, stltsa_cycles** cycles) noexcept {
+                                    int64_t samples, const stltsa_options* options,
+                                    stltsa_cycles** cycles) noexcept {
     return compute([&] {
         required(cycles, "cycles") = nullptr;
         const capi::InputFrames of(borders, "borders");
@@ -155,51 +88,16 @@ stltsa_status stltsa_cycles_between(const stltsa_in* borders, const stltsa_in* s
         for (int64_t i = 0; i < of.view().rows; ++i)
             rows.push_back(of.view()(i, 0));
         check_borders(rows, input.view().rows);
-        *cycles = new stltsa_cycles(
-            phase::resample(input.view(), {phase::times_between(rows, samples), {}}));
+        const capi::OptionsReader reader(options);
+        const Progress progress = reader.progress();
+        *cycles = new stltsa_cycles(phase::resample(input.view(),
+                                                    {phase::times_between(rows, samples), {}},
+                                                    [&] { progress.report(Stage::units, 1); }));
     });
 }
 
 void stltsa_cycles_free(stltsa_cycles* cycles) noexcept {
     delete cycles;
-}
-
-int64_t stltsa_cycles_count(const stltsa_cycles* cycles) noexcept {
-    return cycles == nullptr ? 0 : static_cast<int64_t>(cycles->each.size());
-}
-
-stltsa_status stltsa_cycles_mean(const stltsa_cycles* cycles, const stltsa_out* mean,
-                                 const stltsa_out* deviation) noexcept {
-    return guard([&] {
-        const phase::Resampled& of = required(cycles, "cycles");
-        write_all({{mean, "mean", of.mean}, {deviation, "deviation", of.deviation}});
-    });
-}
-
-stltsa_status stltsa_cycles_cycle(const stltsa_cycles* cycles, int64_t index,
-                                  const stltsa_out* values) noexcept {
-    return guard([&] {
-        const auto& each = required(cycles, "cycles").each;
-        if (index < 0 || index >= static_cast<int64_t>(each.size()))
-            fail(Status::argument, "cycle {} does not exist: there are {}", index, each.size());
-        capi::write_output(values, "values", each[static_cast<std::size_t>(index)].view());
-    });
-}
-
-stltsa_status stltsa_cycles_times(const stltsa_cycles* cycles, const stltsa_out* frames,
-                                  const stltsa_out* warp) noexcept {
-    return guard([&] {
-        const phase::Resampled& of = required(cycles, "cycles");
-        write_all({{frames, "frames", of.rows}, {warp, "warp", of.warp}});
-    });
-}
-
-stltsa_status stltsa_cycles_distance(const stltsa_cycles* cycles, const stltsa_out* total,
-                                     const stltsa_out* columns) noexcept {
-    return guard([&] {
-        const phase::Resampled& of = required(cycles, "cycles");
-        write_all({{total, "total", column(of.total)}, {columns, "columns", of.distance}});
-    });
 }
 
 stltsa_status stltsa_cycles_group_distance(const stltsa_cycles* cycles, const stltsa_in* groups,

@@ -53,11 +53,17 @@ stltsa_status stltsa_report_save(const stltsa_clip* clip, const stltsa_decomposi
 }
 
 stltsa_status stltsa_comparison_report_save(const stltsa_comparison* comparison,
-                                            const char* command, const char* path) noexcept {
+                                            const stltsa_options* options, const char* command,
+                                            const char* path) noexcept {
     return guard([&] {
         const std::string place = &required(path, "path");
         const results::Comparison& of = required(comparison, "comparison");
-        clip::write_file(place, report::comparison_page(of, capi::comparison_json(of),
-                                                        command == nullptr ? "" : command));
+        const capi::OptionsReader reader(options);
+        const Progress progress = reader.progress();
+        const std::string page = report::comparison_page(of, capi::comparison_json(of),
+                                                         command == nullptr ? "" : command);
+        clip::write_file(
+            place, [&](const Sink& sink) { sink(page); },
+            [&] { progress.report(Stage::write, 1); });
     });
 }

@@ -33,11 +33,6 @@ std::vector<synthesis::Piece> pieces_of(const stltsa_piece* pieces, int64_t coun
     return result;
 }
 
-stltsa_seam copy_of(const synthesis::Seam& seam) {
-    return {sizeof(stltsa_seam), seam.frame,     seam.piece,   seam.next, seam.cut_end,
-            seam.cut_begin,      seam.crossfade, seam.posture, seam.step, seam.acceleration};
-}
-
 } // namespace
 
 stltsa_status stltsa_synthesize(const stltsa_piece* pieces, int64_t count,
@@ -70,36 +65,4 @@ void stltsa_synthesis_free(stltsa_synthesis* synthesis) noexcept {
 
 const stltsa_clip* stltsa_synthesis_clip(const stltsa_synthesis* synthesis) noexcept {
     return synthesis == nullptr ? nullptr : &synthesis->clip;
-}
-
-int64_t stltsa_synthesis_seam_count(const stltsa_synthesis* synthesis) noexcept {
-    return synthesis == nullptr ? 0 : static_cast<int64_t>(synthesis->result.seams.size());
-}
-
-stltsa_status stltsa_synthesis_seam(const stltsa_synthesis* synthesis, int64_t index,
-                                    stltsa_seam* seam) noexcept {
-    return guard([&] {
-        const auto& seams = required(synthesis, "synthesis").result.seams;
-        if (index < 0 || index >= static_cast<int64_t>(seams.size()))
-            fail(Status::argument, "seam {} does not exist: there are {}", index, seams.size());
-        capi::give(copy_of(seams[static_cast<std::size_t>(index)]), seam, "seam", "stltsa_seam");
-    });
-}
-
-int64_t stltsa_synthesis_warning_count(const stltsa_synthesis* synthesis) noexcept {
-    return synthesis == nullptr ? 0 : static_cast<int64_t>(synthesis->result.warnings.size());
-}
-
-const char* stltsa_synthesis_warning(const stltsa_synthesis* synthesis, int64_t index) noexcept {
-    if (index < 0 || index >= stltsa_synthesis_warning_count(synthesis))
-        return "";
-    return synthesis->result.warnings[static_cast<std::size_t>(index)].text.c_str();
-}
-
-stltsa_status stltsa_synthesis_json(const stltsa_synthesis* synthesis, char** json) noexcept {
-    return guard([&] {
-        required(json, "json") = nullptr;
-        const auto& made = required(synthesis, "synthesis");
-        *json = capi::caller_string(capi::synthesis_json(made.clip.clip, made));
-    });
 }

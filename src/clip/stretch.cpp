@@ -6,14 +6,13 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/names.hpp"
 #include "clip/text/number.hpp"
 #include "clip/text/text_cursor.hpp"
 
 namespace stltsa::clip {
 namespace {
 
-constexpr std::string_view names[] = {"preparing", "initial", "cyclic", "final",         "wind-up",
-                                      "action",    "hold",    "best",   "representative"};
 constexpr double most_frames = 1e15;
 
 /// A folder is no clip, and must not hide a stretch of one.
@@ -68,24 +67,20 @@ std::optional<Stretch> numbered(std::string_view what, std::string_view word, St
     return stretch;
 }
 
-/// A, B, ..., Z, AA, AB, ...: the number of a label.
 std::optional<Stretch> label_in(std::string_view what) {
-    constexpr std::size_t longest = 4;
-    const auto is_letter = [](char c) { return c >= 'A' && c <= 'Z'; };
-    if (what.empty() || what.size() > longest || !std::ranges::all_of(what, is_letter))
+    const auto label = label_of(what);
+    if (!label)
         return std::nullopt;
     Stretch stretch;
     stretch.kind = Stretch::Kind::label;
-    for (const char c : what)
-        stretch.number = 26 * stretch.number + (c - 'A' + 1);
-    --stretch.number;
+    stretch.number = *label;
     return stretch;
 }
 
 } // namespace
 
 std::optional<Stretch> parse_stretch(std::string_view what) {
-    if (std::ranges::find(names, what) != std::end(names)) {
+    if (what == "best" || what == "representative" || kind_of(unit_kinds, what)) {
         Stretch stretch;
         stretch.kind = Stretch::Kind::name;
         stretch.name = what;

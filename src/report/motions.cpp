@@ -247,15 +247,12 @@ Json motions_json(const clip::Clip& clip, const results::Decomposed& decomposed,
         count == 0 ? std::vector<SignalSet>() : signal_sets(clip, phased, parts, prepare.gaps);
     std::vector<Json> motions;
     for (const stltsa_summary& summary : decomposed.summaries) {
-        const std::int32_t label = summary.label;
-        const bool cyclic =
-            results::statistics_of(decomposed.segments, decomposed.parts(STLTSA_PART_CYCLE), label,
-                                   -1, STLTSA_QUANTITY_TIME)
-                .count > 0;
+        const auto label = static_cast<std::int32_t>(summary.label);
+        const bool cyclic = std::ranges::any_of(
+            decomposed.cycles, [&](const stltsa_part& cycle) { return cycle.label == label; });
         JsonObject motion(
             "label", label, "cyclic", cyclic, "trend_margin",
-            results::trend_margin(decomposed.segments,
-                                  cyclic ? decomposed.cycle_parts : decomposed.repetitions, label));
+            results::trend_margin(cyclic ? decomposed.cycles : decomposed.repetitions, label));
         std::vector<Json> shown_sets;
         std::string reason;
         try {

@@ -40,6 +40,13 @@ Json curve_json(const results::Decomposed& decomposed) {
 }
 
 /// Phase and distance from the mean cycle.
+std::vector<std::string> texts_of(const Warnings& warnings) {
+    std::vector<std::string> texts;
+    for (const Warning& warning : warnings)
+        texts.push_back(warning.text);
+    return texts;
+}
+
 Json phase_json(const results::Phased& phased) {
     const auto count = static_cast<std::int64_t>(phased.phase.size());
     const std::int64_t step = step_of(count);
@@ -48,7 +55,8 @@ Json phase_json(const results::Phased& phased) {
         rows(r, 0) = phased.phase[static_cast<std::size_t>(r * step)];
         rows(r, 1) = phased.residual[static_cast<std::size_t>(r * step)];
     }
-    return JsonObject("step", step, "values", packed(rows.view()), "warnings", phased.warnings);
+    return JsonObject("step", step, "values", packed(rows.view()), "warnings",
+                      texts_of(phased.warnings));
 }
 
 Json accuracy_json(const motion::Curve& found) {

@@ -25,7 +25,7 @@ std::string name_of(const Phased& phased, const char* which) {
 }
 
 /// The cyclic motions that may be compared.
-std::vector<const PhasedMotion*> candidates(const Phased& phased, std::optional<std::int32_t> label,
+std::vector<const PhasedMotion*> candidates(const Phased& phased, std::optional<std::int64_t> label,
                                             const char* which) {
     std::vector<const PhasedMotion*> found;
     for (const PhasedMotion& motion : phased.motions)
@@ -33,7 +33,7 @@ std::vector<const PhasedMotion*> candidates(const Phased& phased, std::optional<
             found.push_back(&motion);
     if (found.empty() && label)
         fail(Status::argument, "label {} of {} has no cycles",
-             *label < 0 ? format_text("{}", *label) : label_text(*label), name_of(phased, which));
+             *label < 0 ? format_text("{}", *label) : letters_of(*label), name_of(phased, which));
     if (found.empty())
         fail(Status::no_such_part,
              "{} has no cycles, so it cannot be compared by phase: its decomposition says why",
@@ -193,8 +193,10 @@ void set_motion(const ComparedClip& side, ComparedMotion& motion, Comparison& re
     motion.clip = side.phased.clip;
     motion.label = side.motion.label;
     const std::string name = name_of(side.phased, side.which);
-    for (const std::string& warning : side.phased.warnings)
-        result.warnings.push_back(format_text("{}: {}", name, warning));
+    for (Warning warning : side.phased.warnings) {
+        warning.text = format_text("{}: {}", name, warning.text);
+        result.warnings.push_back(std::move(warning));
+    }
     warn_of_few(name, motion.cycles, result);
 }
 
@@ -332,8 +334,8 @@ double expected_by_chance(const Comparison& of) {
     return chance * static_cast<double>(of.judged);
 }
 
-Comparison compare(const Phased& first, std::optional<std::int32_t> label, const Phased& second,
-                   std::optional<std::int32_t> other_label, std::int64_t samples,
+Comparison compare(const Phased& first, std::optional<std::int64_t> label, const Phased& second,
+                   std::optional<std::int64_t> other_label, std::int64_t samples,
                    const Progress& progress) {
     const Poll poll = poll_of(progress);
     candidates(first, label, "first"); // throws if there are none
@@ -350,7 +352,7 @@ Comparison compare(const Phased& first, std::optional<std::int32_t> label, const
 }
 
 Comparison compare_left_right(const clip::Clip& clip, const Phased& phased,
-                              std::optional<std::int32_t> label, std::int64_t samples,
+                              std::optional<std::int64_t> label, std::int64_t samples,
                               const clip::PrepareOptions& prepare, const Progress& progress) {
     candidates(phased, label, "first"); // throws if there are none
     const PhasedMotion& motion = *longest_in_cycles(phased, label);

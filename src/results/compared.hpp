@@ -16,7 +16,7 @@ namespace stltsa::results {
 /// One of the two motions.
 struct ComparedMotion {
     ClipFacts clip;
-    std::int32_t label = 0;
+    std::int64_t label = 0;
     std::int64_t cycles = 0; ///< compared: those that the clip has completely
     Matrix mean, deviation;  ///< samples x columns
 };
@@ -46,7 +46,7 @@ struct Comparison {
     phase::Estimate cycle_time; ///< seconds
     phase::Differences differences;
     std::int64_t judged = 0, significant = 0; ///< lags and amplitudes of parts with an interval
-    std::vector<std::string> warnings;
+    Warnings warnings;
 };
 
 /// The mean of both cycle times, in seconds.
@@ -59,15 +59,15 @@ double expected_by_chance(const Comparison& of);
 /// second the one most like it. Throws Status::no_such_part for a clip without cycles,
 /// Status::argument for a label without cycles, and Status::shape if the clips have nothing in
 /// common.
-Comparison compare(const Phased& first, std::optional<std::int32_t> label, const Phased& second,
-                   std::optional<std::int32_t> other_label, std::int64_t samples,
+Comparison compare(const Phased& first, std::optional<std::int64_t> label, const Phased& second,
+                   std::optional<std::int64_t> other_label, std::int64_t samples,
                    const Progress& progress);
 
 /// The left side against the right one, mirrored and half a cycle later: the second half of each
 /// cycle, then its first, so that both sides have all cycles. Throws Status::unsupported if the
 /// sides cannot be compared.
 Comparison compare_left_right(const clip::Clip& clip, const Phased& phased,
-                              std::optional<std::int32_t> label, std::int64_t samples,
+                              std::optional<std::int64_t> label, std::int64_t samples,
                               const clip::PrepareOptions& prepare, const Progress& progress);
 
 /// The same of signals whose names differ only in the side, such as knee_l and knee_r. `names`: one

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "base/names.hpp"
 #include "clip/body/course.hpp"
 #include "clip/body/heading.hpp"
 #include "clip/body/skeleton.hpp"
@@ -103,13 +104,13 @@ void set_messages(const ClipSamples& prepared, motion::Options& options) {
 
 /// Units in frames. A unit that rounds to no frame is left out, and its two neighbors become one
 /// unit if they are of one kind and segment.
-std::vector<stltsa_interval> units_of(const Recording& found, const SourceFrames& frames) {
-    std::vector<stltsa_interval> units;
+std::vector<stltsa_unit> units_of(const Recording& found, const SourceFrames& frames) {
+    std::vector<stltsa_unit> units;
     for (const motion::Unit& unit : found.units) {
-        stltsa_interval next{};
+        stltsa_unit next{};
         frames.set(unit.begin, unit.end, next);
-        next.kind = static_cast<int32_t>(unit.kind);
-        next.segment = static_cast<int32_t>(unit.segment);
+        next.kind = static_cast<std::int64_t>(unit.kind);
+        next.segment = unit.segment;
         if (!units.empty()) {
             next.begin = units.back().end;
             next.begin_s = units.back().end_s;
@@ -129,22 +130,6 @@ std::vector<stltsa_interval> units_of(const Recording& found, const SourceFrames
     }
     frames.cover_recorded(units);
     return units;
-}
-
-stltsa_segment segment_of(const motion::Segment& found, const SourceFrames& frames) {
-    stltsa_segment segment{};
-    frames.set(found.begin, found.end, segment);
-    segment.kind = static_cast<int32_t>(found.kind);
-    segment.label = found.label;
-    segment.count = found.count;
-    segment.likeness = found.likeness;
-    segment.period_s = frames.seconds(found.period);
-    segment.candidate_period_s = frames.seconds(found.candidate_period);
-    segment.confidence = found.confidence;
-    segment.begin_confidence = found.begin_confidence;
-    segment.open_begin = found.open_begin ? 1 : 0;
-    segment.open_end = found.open_end ? 1 : 0;
-    return segment;
 }
 
 /// The names that own most of the motion, in decreasing order.
@@ -171,36 +156,92 @@ std::vector<std::string> carriers_of(const std::vector<double>& energy,
     return carriers;
 }
 
-stltsa_part part_of(const SourceFrames& frames, std::int64_t segment, double begin, double end) {
+stltsa_segment segment_of(const motion::Segment& found, const SourceFrames& frames,
+                          const std::vector<std::string>& owners, Texts& texts) {
+    const auto known = [](double seconds) { return seconds > 0 ? seconds : none; };
+    stltsa_segment segment{};
+    frames.set(found.begin, found.end, segment);
+    segment.kind = static_cast<std::int64_t>(found.kind);
+    segment.label = found.label;
+    segment.letters = texts.keep(letters_of(found.label));
+    segment.count = found.count;
+    segment.likeness = found.likeness;
+    segment.period_s = known(frames.seconds(found.period));
+    segment.candidate_period_s = known(frames.seconds(found.candidate_period));
+    segment.carried_by = texts.keep(carriers_of(found.energy, owners));
+    segment.confidence = found.confidence;
+    segment.begin_confidence = found.begin_confidence;
+    segment.open_begin = found.open_begin ? 1 : 0;
+    segment.open_end = found.open_end ? 1 : 0;
+    segment.reason = texts.keep(found.reason);
+    segment.first_step_share = found.halves.first;
+    segment.first_step_margin = found.halves.margin;
+    segment.steps_reason = texts.keep(found.halves.reason);
+    return segment;
+}
+
+const char* name_of(Side side) {
+    return side == Side::left ? "left" : side == Side::right ? "right" : "";
+}
+
+/// How the body moves over the ground.
+class Ground {
+  public:
+    Ground(const clip::Clip& clip, const SampleFacts& samples, const std::function<void()>& poll)
+        : points_(!clip.skeleton && samples.features == clip::Features::points),
+          course_(clip, points_ ? samples.up : default_up(clip),
+                  points_ ? clip::point_columns(clip) : 0, poll),
+          fps_(clip.fps) {}
+
+    void set(stltsa_part& part) const {
+        const clip::Travel found = course_.between(part.begin_s * fps_, part.end_s * fps_);
+        part.path_length = found.way;
+        part.stride = found.stride;
+        part.speed = found.way / (part.end_s - part.begin_s);
+        part.turn_deg = found.turn;
+    }
+
+  private:
+    bool points_;
+    clip::Course course_;
+    double fps_;
+};
+
+template <class Found>
+stltsa_part part_of(const Found& found, const SourceFrames& frames, const Decomposed& made) {
+    const stltsa_segment& segment = made.segments[static_cast<std::size_t>(found.segment)];
     stltsa_part part{};
-    frames.set(begin, end, part);
-    part.segment = segment;
-    part.parent = -1;
+    frames.set(found.begin, found.end, part);
+    part.segment = found.segment;
+    part.cycle = -1;
+    part.label = segment.label;
+    part.letters = segment.letters;
     part.side = -1;
+    part.side_name = "";
     return part;
 }
 
 void set_parts(const Recording& found, const SourceFrames& frames, Decomposed& made) {
     for (const motion::Cycle& cycle : found.cycles) {
-        stltsa_part part = part_of(frames, cycle.segment, cycle.begin, cycle.end);
+        stltsa_part part = part_of(cycle, frames, made);
         part.side = cycle.side;
+        part.side_name = name_of(made.named_side(cycle.side));
         part.likeness = cycle.likeness;
         part.confidence = cycle.confidence;
-        made.cycle_parts.push_back(part);
-        made.cycles.push_back({part.begin, part.end, part.begin_s, part.end_s, STLTSA_UNIT_CYCLE,
-                               static_cast<int32_t>(cycle.segment)});
+        made.cycles.push_back(part);
     }
     for (const motion::Step& step : found.steps) {
-        stltsa_part part = part_of(frames, step.segment, step.begin, step.end);
-        part.parent = step.cycle;
+        const stltsa_part& cycle = made.cycles[static_cast<std::size_t>(step.cycle)];
+        stltsa_part part = part_of(step, frames, made);
+        part.cycle = step.cycle;
         part.side = step.side;
-        const stltsa_part& cycle = made.cycle_parts[static_cast<std::size_t>(step.cycle)];
+        part.side_name = name_of(made.named_side(step.side));
         part.likeness = cycle.likeness;
         part.confidence = cycle.confidence;
         made.steps.push_back(part);
     }
     for (const motion::Repetition& repetition : found.repetitions) {
-        stltsa_part part = part_of(frames, repetition.segment, repetition.begin, repetition.end);
+        stltsa_part part = part_of(repetition, frames, made);
         part.likeness = repetition.likeness;
         part.confidence = repetition.confidence;
         made.repetitions.push_back(part);
@@ -208,12 +249,8 @@ void set_parts(const Recording& found, const SourceFrames& frames, Decomposed& m
 }
 
 void set_segments(const Recording& found, const SourceFrames& frames, Decomposed& made) {
-    for (const motion::Segment& segment : found.segments) {
-        made.segments.push_back(segment_of(segment, frames));
-        made.carriers.push_back(carriers_of(segment.energy, made.rows->owners));
-        made.reasons.push_back(segment.reason);
-        made.halves.push_back(segment.halves);
-    }
+    for (const motion::Segment& segment : found.segments)
+        made.segments.push_back(segment_of(segment, frames, made.rows->owners, made.texts));
     frames.cover_recorded(made.segments);
 }
 
@@ -233,26 +270,6 @@ std::vector<motion::Strikes> in_samples(const FoundStrikes& found, const SourceF
     return all;
 }
 
-void set_travels(const clip::Clip& clip, const std::function<void()>& poll, Decomposed& made) {
-    const SampleFacts& samples = made.source.samples;
-    const bool points = !clip.skeleton && samples.features == clip::Features::points;
-    const clip::Course course(clip, points ? samples.up : default_up(clip),
-                              points ? clip::point_columns(clip) : 0, poll);
-    const auto travels_of = [&](const std::vector<stltsa_part>& parts) {
-        std::vector<stltsa_travel> travels;
-        for (const stltsa_part& part : parts) {
-            const clip::Travel found =
-                course.between(part.begin_s * clip.fps, part.end_s * clip.fps);
-            travels.push_back(
-                {found.way, found.stride, found.way / (part.end_s - part.begin_s), found.turn});
-        }
-        return travels;
-    };
-    made.cycle_travels = travels_of(made.cycle_parts);
-    made.step_travels = travels_of(made.steps);
-    made.repetition_travels = travels_of(made.repetitions);
-}
-
 /// The frames before the body comes and after it has left are rests with this reason.
 void add_unrecorded(const SourceFrames& frames, Decomposed& made) {
     const auto add = [&](const clip::Frames& absent, std::int32_t unit_kind, bool first) {
@@ -264,15 +281,17 @@ void add_unrecorded(const SourceFrames& frames, Decomposed& made) {
         segment.confidence = 1;
         segment.likeness = none;
         segment.begin_confidence = first ? none : 1;
-        auto unit = frames.interval<stltsa_interval>(absent);
+        segment.letters = segment.steps_reason = "";
+        segment.period_s = segment.candidate_period_s = none;
+        segment.first_step_share = segment.first_step_margin = none;
+        segment.carried_by = made.texts.keep(std::vector<std::string>());
+        segment.reason = motion::nothing_recorded;
+        auto unit = frames.interval<stltsa_unit>(absent);
         unit.kind = unit_kind;
-        unit.segment = first ? 0 : static_cast<std::int32_t>(made.segments.size());
+        unit.segment = first ? 0 : std::ssize(made.segments);
         const auto at = [first](auto& all) { return first ? all.begin() : all.end(); };
         made.segments.insert(at(made.segments), segment);
         made.units.insert(at(made.units), unit);
-        made.carriers.insert(at(made.carriers), std::vector<std::string>());
-        made.reasons.insert(at(made.reasons), std::string(motion::nothing_recorded));
-        made.halves.insert(at(made.halves), motion::Halves());
     };
     const clip::Frames& recorded = frames.recorded();
     if (recorded.begin > 0) {
@@ -283,7 +302,6 @@ void add_unrecorded(const SourceFrames& frames, Decomposed& made) {
         };
         shift(made.units);
         shift(made.cycles);
-        shift(made.cycle_parts);
         shift(made.steps);
         shift(made.repetitions);
     }
@@ -296,7 +314,7 @@ double period_of_longest(const std::vector<stltsa_segment>& segments) {
     for (const stltsa_segment& segment : segments)
         if (segment.kind == STLTSA_SEGMENT_CYCLIC && segment.end_s - segment.begin_s > longest) {
             longest = segment.end_s - segment.begin_s;
-            period = segment.period_s;
+            period = std::isnan(segment.period_s) ? 0 : segment.period_s;
         }
     return period;
 }
@@ -409,14 +427,14 @@ Side Decomposed::named_side(std::int32_t side) const {
     return (side == 1) == (side_one == Side::left) ? Side::left : Side::right;
 }
 
-Parts Decomposed::parts(std::int32_t kind) const {
+std::span<const stltsa_part> Decomposed::parts(std::int32_t kind) const {
     switch (kind) {
-    case STLTSA_PART_CYCLE:
-        return {cycle_parts, cycle_travels};
-    case STLTSA_PART_STEP:
-        return {steps, step_travels};
-    case STLTSA_PART_REPETITION:
-        return {repetitions, repetition_travels};
+    case STLTSA_INFO_CYCLE:
+        return cycles;
+    case STLTSA_INFO_STEP:
+        return steps;
+    case STLTSA_INFO_REPETITION:
+        return repetitions;
     default:
         return {};
     }
@@ -477,11 +495,14 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
     made.units = units_of(found, frames);
     set_parts(found, frames, made);
     add_unrecorded(frames, made);
-    set_travels(clip, poll, made);
+    const Ground ground(clip, samples, poll);
+    for (auto* parts : {&made.cycles, &made.steps, &made.repetitions})
+        for (stltsa_part& part : *parts)
+            ground.set(part);
     for (const std::int64_t row : telling_postures(prepared.samples.view(), progress))
         made.postures.push_back(made.source.samples.first + row * made.source.samples.step);
     made.source.period.period = period_of_longest(made.segments);
-    made.summaries = summaries_of(made.segments, made.cycle_parts, made.repetitions);
+    made.summaries = summaries_of(made.cycles, made.steps, made.repetitions);
     made.label_likeness = std::move(found.label_likeness);
     made.curve = std::move(found.curve);
     made.representative = found.representative;

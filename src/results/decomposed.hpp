@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <mutex>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "motion/recording/analyze.hpp"
 #include "results/samples.hpp"
 #include "results/summary.hpp"
+#include "results/texts.hpp"
 #include "stltsa.h"
 
 namespace stltsa::results {
@@ -43,26 +45,21 @@ struct Decomposed {
     Warnings warnings;
     Source source;
     // In frames of the source file.
-    std::vector<stltsa_segment> segments;           ///< cover the file, as the units do
-    std::vector<std::vector<std::string>> carriers; ///< of each segment, what moves most first
-    std::vector<std::string> reasons;               ///< of each segment; empty: it repeats
-    std::vector<motion::Halves> halves;             ///< of each segment
-    Matrix label_likeness;                          ///< see motion::Recording
-    Side side_one = Side::neither;                  ///< the side that is 1 in cycles and steps
-    std::vector<stltsa_interval> units;
-    std::vector<std::int64_t> postures; ///< frames for pictures: see telling_postures()
-    std::vector<stltsa_interval> cycles;
-    std::vector<stltsa_part> cycle_parts;
-    std::vector<stltsa_part> steps;
-    std::vector<stltsa_part> repetitions;
-    std::vector<stltsa_travel> cycle_travels, step_travels, repetition_travels;
+    std::vector<stltsa_segment> segments; ///< cover the file, as the units do
+    std::vector<stltsa_unit> units;
+    std::vector<stltsa_part> cycles, steps, repetitions;
     std::vector<stltsa_summary> summaries; ///< by label, of labels that repeat
+    Texts texts;                           ///< that these point to
+    Matrix label_likeness;                 ///< see motion::Recording
+    Side side_one = Side::neither;         ///< the side that is 1 in cycles and steps
+    std::vector<std::int64_t> postures;    ///< frames for pictures: see telling_postures()
     std::shared_ptr<const FrameRows> rows;
     std::shared_ptr<PhaseOnce> phase = std::make_shared<PhaseOnce>();
 
     /// Whether side 0 or 1 of cycles and steps is left or right.
     Side named_side(std::int32_t side) const;
-    Parts parts(std::int32_t kind) const; ///< STLTSA_PART_*; none of an unknown kind
+    /// Of STLTSA_INFO_CYCLE, _STEP or _REPETITION; none of another.
+    std::span<const stltsa_part> parts(std::int32_t kind) const;
 };
 
 /// Throws Status::argument if the clip's frame rate is unknown. Sets the fields of `options` that

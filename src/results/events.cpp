@@ -79,8 +79,8 @@ std::int64_t cycle_at(const Phased& in, double frame) {
     return at >= 0 && at < in.clip.frames ? in.cycle[static_cast<std::size_t>(at)] : -1;
 }
 
-std::vector<FoundEvent> found_in(const std::vector<phase::Event>& events, const Phased& in) {
-    std::vector<FoundEvent> found;
+std::vector<stltsa_event> found_in(const std::vector<phase::Event>& events, const Phased& in) {
+    std::vector<stltsa_event> found;
     for (const phase::Event& event : events) {
         const double frame = event.row + static_cast<double>(in.clip.first);
         found.push_back({frame, frame / in.clip.fps, cycle_at(in, frame),
@@ -91,14 +91,14 @@ std::vector<FoundEvent> found_in(const std::vector<phase::Event>& events, const 
 
 /// Each mark itself, in place of what was found near it.
 void set_marked(const phase::Place& marks, double period, const Phased& in,
-                std::vector<FoundEvent>& found) {
+                std::vector<stltsa_event>& found) {
     for (const phase::Mark& mark : marks) {
         const double frame = mark.row + static_cast<double>(in.clip.first);
-        const auto off = [&](const FoundEvent& event) {
+        const auto off = [&](const stltsa_event& event) {
             return event.marked ? period : std::abs(event.frame - frame);
         };
         const auto nearest = std::ranges::min_element(found, {}, off);
-        const FoundEvent marked{frame, frame / in.clip.fps, cycle_at(in, frame), 1, true};
+        const stltsa_event marked{frame, frame / in.clip.fps, cycle_at(in, frame), 1, true};
         if (nearest != found.end() && off(*nearest) < period / 4)
             *nearest = marked;
         else
@@ -106,7 +106,7 @@ void set_marked(const phase::Place& marks, double period, const Phased& in,
     }
 }
 
-void append(std::vector<FoundEvent> events, FoundEvents& found) {
+void append(std::vector<stltsa_event> events, FoundEvents& found) {
     std::ranges::move(events, std::back_inserter(found.events));
 }
 
@@ -121,9 +121,10 @@ void check_features(const Phased& from, const Phased& in) {
 void warn_of_repetitions(const phase::Searched& in, std::size_t events, FoundEvents& found) {
     if (!in.cyclic && events < in.runs.size())
         found.warnings.push_back(
-            format_text("{} of {} repetitions have no such event: the clip ends before it, or the "
-                        "motion differs there",
-                        in.runs.size() - events, in.runs.size()));
+            {WarningCode::not_found,
+             format_text("{} of {} repetitions have no such event: the clip ends before it, or the "
+                         "motion differs there",
+                         in.runs.size() - events, in.runs.size())});
 }
 
 void append_other(const phase::Searched& from, const std::vector<phase::Place>& places,
@@ -156,10 +157,11 @@ void append_same(const phase::Searched& motion, const std::vector<phase::Place>&
 
 void warn_of_places(std::size_t places, bool cyclic, FoundEvents& found) {
     if (places > 1)
-        found.warnings.push_back(format_text(
-            "the marks lie at {} places in the {}: each place is found separately; if these are "
-            "different events, give each a name of its own",
-            places, cyclic ? "cycle" : "repetition"));
+        found.warnings.push_back(
+            {WarningCode::several_places,
+             format_text("the marks lie at {} places in the {}: each place is found separately; if "
+                         "these are different events, give each a name of its own",
+                         places, cyclic ? "cycle" : "repetition")});
 }
 
 } // namespace
@@ -181,8 +183,8 @@ phase::Searched searched(const Phased& phased, const PhasedMotion& motion,
                            std::move(runs), poll);
 }
 
-std::vector<FoundEvent> events_at(const phase::Searched& motion, const phase::Place& marks,
-                                  const Phased& in) {
+std::vector<stltsa_event> events_at(const phase::Searched& motion, const phase::Place& marks,
+                                    const Phased& in) {
     auto events = found_in(phase::find_events(motion, marks), in);
     set_marked(marks, motion.mean.period, in, events);
     return events;
@@ -206,7 +208,7 @@ FoundEvents find_events(const Phased& from, std::span<const double> marks, const
         else
             append_other(marked.motion, places, in, progress, found);
     }
-    std::ranges::sort(found.events, {}, &FoundEvent::frame);
+    std::ranges::sort(found.events, {}, &stltsa_event::frame);
     return found;
 }
 

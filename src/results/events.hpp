@@ -8,21 +8,14 @@
 
 #include "phase/searched.hpp"
 #include "results/phased.hpp"
+#include "stltsa.h"
 
 namespace stltsa::results {
 
-struct FoundEvent {
-    double frame = 0; ///< not rounded
-    double seconds = 0;
-    std::int64_t cycle = -1; ///< -1: outside cycles
-    double confidence = 0;
-    bool marked = false; ///< by the caller
-};
-
 struct FoundEvents {
-    std::vector<FoundEvent> events; ///< in order of time
-    double likeness = 1;            ///< of the mean cycles; 0: the other clip has no such motion
-    std::vector<std::string> warnings;
+    std::vector<stltsa_event> events; ///< in order of time
+    double likeness = 1;              ///< of the mean cycles; 0: the other clip has no such motion
+    Warnings warnings;
 };
 
 /// A motion and how far its phase goes beyond its cycles.
@@ -31,8 +24,8 @@ phase::Searched searched(const Phased& phased, const PhasedMotion& motion,
 
 /// The event at the marks, which are at one place of the motion, in each cycle or repetition of it,
 /// and the marks themselves in the place of what was found near them.
-std::vector<FoundEvent> events_at(const phase::Searched& motion, const phase::Place& marks,
-                                  const Phased& in);
+std::vector<stltsa_event> events_at(const phase::Searched& motion, const phase::Place& marks,
+                                    const Phased& in);
 
 /// The event at `marks`, frames of `from`, in every cycle or repetition of that motion in `in`,
 /// which may be the same; at each place, if the marks are at several places of the cycle. Throws

@@ -124,7 +124,8 @@ void keep_poses(Fitted& fitted, Clips clips) {
 } // namespace
 
 Fitted fit(ConstMatrixView samples, const Lengths& lengths, const FitOptions& options,
-           Source source, const Progress& progress) {
+           const std::optional<ltsa::DimensionOptions>& intrinsic, Source source,
+           const Progress& progress) {
     ltsa::check_frames(samples, lengths.clips, "frames", options.threads);
     const auto parameters =
         choose_parameters(samples, lengths.runs, options, standard_dimension, source, progress);
@@ -136,6 +137,9 @@ Fitted fit(ConstMatrixView samples, const Lengths& lengths, const FitOptions& op
                   lengths.clips,
                   {}};
     warn_of_parts(fitted.source, fitted.lengths, fitted.model);
+    if (intrinsic)
+        fitted.dimension =
+            ltsa::intrinsic_dimension(samples, lengths.runs, parameters, *intrinsic, progress);
     return fitted;
 }
 
@@ -161,19 +165,6 @@ std::vector<std::int64_t> unbroken_lengths(const ltsa::Model& model) {
             ++lengths.back();
         }
     return lengths;
-}
-
-EstimatedDimension estimate_dimension(ConstMatrixView samples, const Lengths& lengths,
-                                      const FitOptions& options,
-                                      const ltsa::DimensionOptions& limits, Source source,
-                                      const Progress& progress) {
-    ltsa::check_frames(samples, lengths.clips, "frames", options.threads);
-    const auto parameters = choose_parameters(samples, lengths.runs, options,
-                                              ltsa::eigengap_tangents, source, progress);
-    check_runs(samples, lengths, parameters, source);
-    note_breaks(lengths, parameters.mode, source);
-    return {ltsa::intrinsic_dimension(samples, lengths.runs, parameters, limits, progress),
-            std::move(source)};
 }
 
 } // namespace stltsa::results

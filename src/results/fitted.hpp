@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "clip/features/pose_code.hpp"
@@ -29,11 +30,14 @@ struct Fitted {
     Kept kept;
     std::vector<std::int64_t> lengths; ///< rows of each clip
     Live live;
+    std::optional<ltsa::Dimension> dimension = {}; ///< if it was asked for; no file keeps it
 };
 
-/// Fits 2 coordinates unless the options say otherwise. Throws as ltsa::fit().
+/// Fits 2 coordinates unless the options say otherwise; `intrinsic`: and estimates the intrinsic
+/// dimension. Throws as ltsa::fit().
 Fitted fit(ConstMatrixView samples, const Lengths& lengths, const FitOptions& options,
-           Source source, const Progress& progress);
+           const std::optional<ltsa::DimensionOptions>& intrinsic, Source source,
+           const Progress& progress);
 
 /// Keeps the samples that were fitted and, if the clips have a skeleton, their poses.
 void keep_clips(Fitted& fitted, Clips clips, Matrix samples);
@@ -44,16 +48,5 @@ Matrix features_of_pose(const Fitted& fitted, ConstMatrixView vector);
 /// Numbers of consecutive rows of one run and one component; the curve is interrupted between
 /// them.
 std::vector<std::int64_t> unbroken_lengths(const ltsa::Model& model);
-
-struct EstimatedDimension {
-    ltsa::Dimension dimension;
-    Source source;
-};
-
-/// Throws as ltsa::intrinsic_dimension().
-EstimatedDimension estimate_dimension(ConstMatrixView samples, const Lengths& lengths,
-                                      const FitOptions& options,
-                                      const ltsa::DimensionOptions& limits, Source source,
-                                      const Progress& progress);
 
 } // namespace stltsa::results

@@ -86,7 +86,7 @@ Matrix rows_by_frame(const Phased& phased) {
     return by_frame(phased.rows, phased.clip.frames, phased.clip.first);
 }
 
-Matrix mirror_image(const clip::Clip& clip, const Phased& phased, std::int32_t label,
+Matrix mirror_image(const clip::Clip& clip, const Phased& phased, std::int64_t label,
                     std::int64_t samples, const clip::PrepareOptions& prepare,
                     const Progress& progress) {
     auto [image, turned] = image_of(clip, phased, prepare, progress);

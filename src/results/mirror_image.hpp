@@ -17,7 +17,7 @@ Matrix rows_by_frame(const Phased& phased);
 /// are turned about the up axis so that the sides differ least over the cycles of the label.
 /// `clip`: that of the phase. `prepare`: as for the decomposition. Throws Status::argument if the
 /// label has no cycles, and Status::unsupported for a clip that has no mirror image.
-Matrix mirror_image(const clip::Clip& clip, const Phased& phased, std::int32_t label,
+Matrix mirror_image(const clip::Clip& clip, const Phased& phased, std::int64_t label,
                     std::int64_t samples, const clip::PrepareOptions& prepare,
                     const Progress& progress);
 

@@ -17,14 +17,14 @@ constexpr double touching = 0.5;
 constexpr double shortest_cycle = 6;
 
 /// Sequences of cycles back to back of each label, in rows.
-std::map<std::int32_t, std::vector<phase::Borders>> sequences_of(const Decomposed& decomposed,
+std::map<std::int64_t, std::vector<phase::Borders>> sequences_of(const Decomposed& decomposed,
                                                                  const ClipFacts& clip) {
-    std::map<std::int32_t, std::vector<phase::Borders>> sequences;
+    std::map<std::int64_t, std::vector<phase::Borders>> sequences;
     const stltsa_part* before = nullptr;
-    for (const stltsa_part& cycle : decomposed.cycle_parts) {
+    for (const stltsa_part& cycle : decomposed.cycles) {
         const double begin = cycle.begin_s * clip.fps - static_cast<double>(clip.first);
         const double end = cycle.end_s * clip.fps - static_cast<double>(clip.first);
-        const auto label = decomposed.segments[static_cast<std::size_t>(cycle.segment)].label;
+        const auto label = cycle.label;
         if (end - begin < shortest_cycle) {
             before = nullptr;
             continue;
@@ -41,21 +41,20 @@ std::map<std::int32_t, std::vector<phase::Borders>> sequences_of(const Decompose
 }
 
 /// Whether a side leads in each cycle of the label, so that its halves are the same motion.
-bool has_like_halves(const Decomposed& decomposed, std::int32_t label) {
-    return std::ranges::all_of(decomposed.cycle_parts, [&](const stltsa_part& cycle) {
-        const auto segment = static_cast<std::size_t>(cycle.segment);
-        return cycle.side >= 0 || decomposed.segments[segment].label != label;
+bool has_like_halves(const Decomposed& decomposed, std::int64_t label) {
+    return std::ranges::all_of(decomposed.cycles, [&](const stltsa_part& cycle) {
+        return cycle.side >= 0 || cycle.label != label;
     });
 }
 
 /// The repetitions of each label.
-std::map<std::int32_t, std::vector<phase::Borders>> repetitions_of(const Decomposed& decomposed,
+std::map<std::int64_t, std::vector<phase::Borders>> repetitions_of(const Decomposed& decomposed,
                                                                    const ClipFacts& clip) {
-    std::map<std::int32_t, std::vector<phase::Borders>> repetitions;
+    std::map<std::int64_t, std::vector<phase::Borders>> repetitions;
     for (const stltsa_part& part : decomposed.repetitions) {
         const double begin = part.begin_s * clip.fps - static_cast<double>(clip.first);
         const double end = part.end_s * clip.fps - static_cast<double>(clip.first);
-        const auto label = decomposed.segments[static_cast<std::size_t>(part.segment)].label;
+        const auto label = part.label;
         if (end - begin >= shortest_cycle)
             repetitions[label].push_back({begin, end});
     }
@@ -108,19 +107,20 @@ void set_frames(const Decomposed& decomposed, Phased& phased) {
             }
         }
     }
-    for (std::size_t c = 0; c < decomposed.cycle_parts.size(); ++c)
-        for (std::int64_t frame = decomposed.cycle_parts[c].begin;
-             frame < decomposed.cycle_parts[c].end; ++frame)
+    for (std::size_t c = 0; c < decomposed.cycles.size(); ++c)
+        for (std::int64_t frame = decomposed.cycles[c].begin; frame < decomposed.cycles[c].end;
+             ++frame)
             if (!std::isnan(phased.phase[static_cast<std::size_t>(frame)]))
                 phased.cycle[static_cast<std::size_t>(frame)] = static_cast<std::int64_t>(c);
 }
 
 void warn_if_linear(const PhasedMotion& motion, Phased& phased) {
     if (motion.phases.linear)
-        phased.warnings.push_back(format_text(
-            "the phase of motion {} is linear in time, because its mean cycle leaves {:.2f} of the "
-            "variance of the frames, above {}",
-            label_text(motion.label), motion.phases.residual, phase::most_residual));
+        phased.warnings.push_back(
+            {WarningCode::linear_phase,
+             format_text("the phase of motion {} is linear in time, because its mean cycle leaves "
+                         "{:.2f} of the variance of the frames, above {}",
+                         letters_of(motion.label), motion.phases.residual, phase::most_residual)});
 }
 
 std::shared_ptr<const Phased> find_phase(const Decomposed& decomposed, const Progress& progress) {
@@ -152,13 +152,6 @@ std::shared_ptr<const Phased> find_phase(const Decomposed& decomposed, const Pro
 
 } // namespace
 
-std::string label_text(std::int32_t label) {
-    std::string text;
-    for (std::int32_t rest = label; rest >= 0; rest = rest / 26 - 1)
-        text.insert(text.begin(), static_cast<char>('A' + rest % 26));
-    return text;
-}
-
 motion::Range unbroken(const Phased& phased, const motion::Run& run) {
     motion::Range range{0, phased.rows.rows()};
     for (const clip::Frames& hole : phased.of->holes) {
@@ -170,16 +163,16 @@ motion::Range unbroken(const Phased& phased, const motion::Run& run) {
     return range;
 }
 
-const PhasedMotion& motion_of(const Phased& phased, std::int32_t label) {
+const PhasedMotion& motion_of(const Phased& phased, std::int64_t label) {
     // Motions in cycles come first.
     const auto motion = std::ranges::find(phased.motions, label, &PhasedMotion::label);
     if (motion == phased.motions.end())
         fail(Status::argument, "label {} has neither cycles nor repetitions",
-             label < 0 ? format_text("{}", label) : label_text(label));
+             label < 0 ? format_text("{}", label) : letters_of(label));
     return *motion;
 }
 
-const PhasedMotion* longest_in_cycles(const Phased& phased, std::optional<std::int32_t> label) {
+const PhasedMotion* longest_in_cycles(const Phased& phased, std::optional<std::int64_t> label) {
     const auto frames_of = [](const PhasedMotion& motion) {
         std::int64_t count = 0;
         for (const motion::Run& run : motion.phases.runs)
@@ -196,13 +189,13 @@ const PhasedMotion* longest_in_cycles(const Phased& phased, std::optional<std::i
 
 std::string no_halves(const PhasedMotion& motion) {
     if (!motion.phases.cyclic)
-        return format_text("motion {} has repetitions but no cycles", label_text(motion.label));
+        return format_text("motion {} has repetitions but no cycles", letters_of(motion.label));
     if (motion.like_halves)
         return "";
     return format_text(
         "the second half of a cycle of motion {} may not mirror the first: only the legs of a "
         "skeleton, or leg points whose names state a side, can show that it does",
-        label_text(motion.label));
+        letters_of(motion.label));
 }
 
 phase::Turns turns_of(const Phased& phased, const PhasedMotion& motion, std::int64_t samples,
@@ -226,7 +219,7 @@ phase::Turns turns_of(const Phased& phased, const PhasedMotion& motion, std::int
     return turns;
 }
 
-phase::Resampled resample(const Phased& phased, std::int32_t label, ConstMatrixView signals,
+phase::Resampled resample(const Phased& phased, std::int64_t label, ConstMatrixView signals,
                           std::int64_t samples, const std::function<void()>& poll) {
     const PhasedMotion& motion = motion_of(phased, label);
     if (signals.rows != phased.clip.frames)

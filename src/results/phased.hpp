@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "base/names.hpp"
 #include "base/progress.hpp"
+#include "base/warning.hpp"
 #include "clip/features/frame_features.hpp"
 #include "phase/phases.hpp"
 #include "phase/resample.hpp"
@@ -16,7 +18,7 @@ namespace stltsa::results {
 
 /// A motion of the clip that repeats: in cycles, or with pauses.
 struct PhasedMotion {
-    std::int32_t label = 0;
+    std::int64_t label = 0;
     phase::Phases phases;                ///< in rows of Phased
     std::vector<phase::Borders> borders; ///< of each run, as the decomposition has them
     bool like_halves = false;            ///< whether the halves of all cycles are the same motion
@@ -36,7 +38,7 @@ struct Phased {
     std::vector<double> phase;       ///< in [0, 1); NaN outside cycles
     std::vector<double> residual;    ///< NaN outside cycles
     std::vector<std::int64_t> cycle; ///< -1 outside cycles
-    std::vector<std::string> warnings;
+    Warnings warnings;
 };
 
 /// Rows around a run that no hole interrupts.
@@ -44,11 +46,11 @@ motion::Range unbroken(const Phased& phased, const motion::Run& run);
 
 /// The motion of a label: the cyclic one if there is one. Throws Status::argument for a label that
 /// has neither cycles nor repetitions.
-const PhasedMotion& motion_of(const Phased& phased, std::int32_t label);
+const PhasedMotion& motion_of(const Phased& phased, std::int64_t label);
 
 /// The cyclic motion with the most frames, of all or of a label; null: there is none.
 const PhasedMotion* longest_in_cycles(const Phased& phased,
-                                      std::optional<std::int32_t> label = std::nullopt);
+                                      std::optional<std::int64_t> label = std::nullopt);
 
 /// Why left and right of the motion cannot be compared; empty if they can: its halves are alike.
 std::string no_halves(const PhasedMotion& motion);
@@ -59,13 +61,10 @@ std::string no_halves(const PhasedMotion& motion);
 phase::Turns turns_of(const Phased& phased, const PhasedMotion& motion, std::int64_t samples,
                       double shift = 0);
 
-/// "A" for 0.
-std::string label_text(std::int32_t label);
-
 /// Signals on 0 to 100 % of the cycles or repetitions of a motion, a row for each frame of the
 /// file. `poll`: called periodically, may throw. Throws
 /// Status::argument for a label without them.
-phase::Resampled resample(const Phased& phased, std::int32_t label, ConstMatrixView signals,
+phase::Resampled resample(const Phased& phased, std::int64_t label, ConstMatrixView signals,
                           std::int64_t samples, const std::function<void()>& poll = {});
 
 /// Found by the first call; any number of threads may call.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/names.hpp"
+
 namespace stltsa::results {
 namespace {
 
@@ -27,29 +29,13 @@ clip::Frames numbered(const std::vector<Interval>& list, std::int64_t number, st
     return frames_of(list[static_cast<std::size_t>(number - 1)]);
 }
 
-const stltsa_interval* longest(const std::vector<stltsa_interval>& units, std::int32_t kind) {
-    const stltsa_interval* found = nullptr;
-    for (const stltsa_interval& unit : units)
-        if (unit.kind == kind &&
+const stltsa_unit* longest(const std::vector<stltsa_unit>& units, std::string_view kind) {
+    const stltsa_unit* found = nullptr;
+    for (const stltsa_unit& unit : units)
+        if (name_of(unit_kinds, unit.kind) == kind &&
             (found == nullptr || unit.end - unit.begin > found->end - found->begin))
             found = &unit;
     return found;
-}
-
-/// Names of parse_stretch().
-std::int32_t kind_of(const std::string& name) {
-    constexpr std::pair<std::string_view, std::int32_t> kinds[] = {
-        {"preparing", STLTSA_UNIT_PREPARING},
-        {"initial", STLTSA_UNIT_INITIAL},
-        {"cyclic", STLTSA_UNIT_CYCLIC},
-        {"final", STLTSA_UNIT_FINAL},
-        {"wind-up", STLTSA_UNIT_WIND_UP},
-        {"action", STLTSA_UNIT_ACTION},
-        {"hold", STLTSA_UNIT_HOLD}};
-    for (const auto& [text, kind] : kinds)
-        if (text == name)
-            return kind;
-    fail(Status::internal, "{} is no kind of unit", name);
 }
 
 clip::Frames named(const Decomposed& found, const std::string& name) {
@@ -59,7 +45,7 @@ clip::Frames named(const Decomposed& found, const std::string& name) {
                         (name == "best" ? found.best : found.representative) + 1 +
                             (found.cycles.empty() ? 1 : 0),
                         "cycles", reason);
-    const stltsa_interval* unit = longest(found.units, kind_of(name));
+    const stltsa_unit* unit = longest(found.units, name);
     if (unit == nullptr)
         missing(format_text("units of the kind {}", name), 0, reason);
     return frames_of(*unit);

@@ -131,16 +131,16 @@ SideStrikes strikes_of(const phase::Searched& motion, const Phased& phased,
         notes.push_back(not_used(
             count - strikes.stated, side,
             format_text("the other {} are at another place of the cycle", strikes.stated)));
-    for (const FoundEvent& event : events_at(motion, scatter.marks, phased))
+    for (const stltsa_event& event : events_at(motion, scatter.marks, phased))
         strikes.frames.push_back(event.frame);
     std::ranges::sort(strikes.frames);
     return strikes;
 }
 
 /// The side with which the cycles of a label begin.
-Side present_side(const Decomposed& decomposed, std::int32_t label) {
-    for (const stltsa_part& cycle : decomposed.cycle_parts)
-        if (decomposed.segments[static_cast<std::size_t>(cycle.segment)].label == label)
+Side present_side(const Decomposed& decomposed, std::int64_t label) {
+    for (const stltsa_part& cycle : decomposed.cycles)
+        if (cycle.label == label)
             return decomposed.named_side(cycle.side);
     return Side::neither;
 }
@@ -207,7 +207,7 @@ void note_strikes(const FoundStrikes& strikes, const motion::Recording& found,
         }
         std::string text = "0 % of each cycle";
         if (!only)
-            text += " of motion " + label_text(motion.label);
+            text += " of motion " + letters_of(motion.label);
         text += format_text(
             " is at a{} foot strike, as the events of the file say ({} {}",
             motion.side == Side::neither ? "" : format_text(" {}", side_text(motion.side)),

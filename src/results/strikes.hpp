@@ -14,7 +14,7 @@ namespace stltsa::results {
 
 /// Of one motion in cycles, in frames, in order of time.
 struct MotionStrikes {
-    std::int32_t label = 0;
+    std::int64_t label = 0;
     Side side = Side::neither; ///< with which cycles begin
     std::vector<double> begins;
     std::vector<double> middles; ///< of the other side; empty: the file states none

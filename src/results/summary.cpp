@@ -72,69 +72,84 @@ stltsa_statistics statistics_of(const Values& all, bool ratios) {
     return found;
 }
 
-stltsa_summary summary_of(int32_t label, const Values& all) {
-    const stltsa_statistics lengths = statistics_of(all, true);
-    stltsa_summary summary{};
-    summary.label = label;
-    summary.count = lengths.count;
-    summary.mean_s = lengths.mean;
-    summary.per_minute = minute / lengths.mean;
-    summary.sd_s = lengths.sd;
-    summary.cv = lengths.cv;
-    summary.trend = lengths.trend;
-    return summary;
-}
-
-double quantity_of(const stltsa_part& part, const stltsa_travel& travel, std::int32_t quantity) {
+double quantity_of(const stltsa_part& part, std::int32_t quantity) {
     switch (quantity) {
     case STLTSA_QUANTITY_TIME:
         return part.end_s - part.begin_s;
-    case STLTSA_QUANTITY_WAY:
-        return travel.way;
+    case STLTSA_QUANTITY_PATH_LENGTH:
+        return part.path_length;
     case STLTSA_QUANTITY_STRIDE:
-        return travel.stride;
+        return part.stride;
     case STLTSA_QUANTITY_SPEED:
-        return travel.speed;
+        return part.speed;
     default:
-        return travel.turn;
+        return part.turn_deg;
     }
+}
+
+/// Of a label with cycles here and pauses there, both.
+stltsa_statistics lengths_of(std::span<const stltsa_part> cycles,
+                             std::span<const stltsa_part> repetitions, std::int64_t label) {
+    Values lengths;
+    for (const auto parts : {cycles, repetitions})
+        for (const stltsa_part& part : parts)
+            if (part.label == label)
+                lengths.add(part.end_s - part.begin_s, part);
+    return statistics_of(lengths, true);
 }
 
 } // namespace
 
-std::vector<stltsa_summary> summaries_of(std::span<const stltsa_segment> segments,
-                                         std::span<const stltsa_part> cycles,
+std::vector<stltsa_summary> summaries_of(std::span<const stltsa_part> cycles,
+                                         std::span<const stltsa_part> steps,
                                          std::span<const stltsa_part> repetitions) {
-    std::map<int32_t, Values> labels;
+    std::map<std::int64_t, const char*> labels;
     for (const auto parts : {cycles, repetitions})
         for (const stltsa_part& part : parts)
-            labels[segments[static_cast<std::size_t>(part.segment)].label].add(
-                part.end_s - part.begin_s, part);
+            labels.emplace(part.label, part.letters);
     std::vector<stltsa_summary> summaries;
-    for (const auto& [label, lengths] : labels)
-        summaries.push_back(summary_of(label, lengths));
+    for (const auto& [label, letters] : labels) {
+        const auto parts =
+            statistics_of(cycles, label, -1, STLTSA_QUANTITY_TIME).count > 0 ? cycles : repetitions;
+        const auto of = [&, label = label](std::int32_t quantity) {
+            return statistics_of(parts, label, -1, quantity);
+        };
+        const auto of_steps = [&, label = label](std::int64_t side) {
+            return statistics_of(steps, label, side, STLTSA_QUANTITY_TIME);
+        };
+        stltsa_summary summary{};
+        summary.label = label;
+        summary.letters = letters;
+        summary.cycle_time_s = lengths_of(cycles, repetitions, label);
+        summary.count = summary.cycle_time_s.count;
+        summary.cycles_per_min = minute / summary.cycle_time_s.mean;
+        summary.step_time_s = of_steps(-1);
+        summary.steps_per_min = minute / summary.step_time_s.mean;
+        summary.step_time_side_0_s = of_steps(0).mean;
+        summary.step_time_side_1_s = of_steps(1).mean;
+        summary.path_length = of(STLTSA_QUANTITY_PATH_LENGTH);
+        summary.stride = of(STLTSA_QUANTITY_STRIDE);
+        summary.speed = of(STLTSA_QUANTITY_SPEED);
+        summary.turn_deg = of(STLTSA_QUANTITY_TURN);
+        summaries.push_back(summary);
+    }
     return summaries;
 }
 
-stltsa_statistics statistics_of(std::span<const stltsa_segment> segments, const Parts& all,
-                                std::int32_t label, std::int32_t side, std::int32_t quantity) {
-    const auto& [parts, travels] = all;
+stltsa_statistics statistics_of(std::span<const stltsa_part> parts, std::int64_t label,
+                                std::int64_t side, std::int32_t quantity) {
     Values values;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        const auto segment = static_cast<std::size_t>(parts[i].segment);
-        const double value = quantity_of(parts[i], travels[i], quantity);
-        if (segments[segment].label == label && (side < 0 || parts[i].side == side) &&
-            std::isfinite(value))
-            values.add(value, parts[i]);
-    }
+    for (const stltsa_part& part : parts)
+        if (const double value = quantity_of(part, quantity);
+            part.label == label && (side < 0 || part.side == side) && std::isfinite(value))
+            values.add(value, part);
     return statistics_of(values, quantity != STLTSA_QUANTITY_TURN);
 }
 
-double trend_margin(std::span<const stltsa_segment> segments, std::span<const stltsa_part> parts,
-                    std::int32_t label) {
+double trend_margin(std::span<const stltsa_part> parts, std::int64_t label) {
     Values lengths;
     for (const stltsa_part& part : parts)
-        if (segments[static_cast<std::size_t>(part.segment)].label == label)
+        if (part.label == label)
             lengths.add(part.end_s - part.begin_s, part);
     if (lengths.value.size() < 3)
         return none;

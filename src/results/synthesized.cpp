@@ -33,7 +33,7 @@ Synthesized synthesize_loop(const clip::Clip& clip, const Decomposed& decomposed
                             synthesis::Options options, const Progress& progress) {
     options.loop = true;
     std::vector<synthesis::CycleFrames> cycles;
-    for (const stltsa_interval& cycle : decomposed.cycles)
+    for (const stltsa_part& cycle : decomposed.cycles)
         cycles.push_back({cycle.begin, cycle.end});
     const synthesis::LongestLoop chosen = synthesis::longest_loop(clip, cycles, options, progress);
     Synthesized made = made_of(chosen, options, progress);

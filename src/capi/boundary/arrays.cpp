@@ -153,6 +153,21 @@ void write_integers(const stltsa_out* out, const char* name, std::span<const std
         store(at + r * strides.row, values[static_cast<std::size_t>(r)]);
 }
 
+void write_array(const stltsa_out* out, const Matrix& values) {
+    write_output(out, "array", values.view());
+}
+
+void write_array(const stltsa_out* out, std::span<const double> column) {
+    write_output(out, "array", {column.data(), std::ssize(column), 1, 1});
+}
+
+void write_array(const stltsa_out* out, std::span<const std::int64_t> column) {
+    if (required(out, "array").dtype == STLTSA_I64)
+        write_integers(out, "array", column);
+    else
+        write_array(out, std::vector<double>(column.begin(), column.end()));
+}
+
 std::vector<std::int64_t> clip_lengths(const stltsa_in* lengths, std::int64_t rows) {
     if (lengths == nullptr)
         return {rows};

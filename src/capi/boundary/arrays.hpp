@@ -38,6 +38,11 @@ void write_column(const stltsa_out* out, const char* name, const std::vector<dou
 /// The same for a column of integers.
 void write_integers(const stltsa_out* out, const char* name, std::span<const std::int64_t> values);
 
+/// The same for an array of a handle; whole numbers may be written as real ones as well.
+void write_array(const stltsa_out* out, const Matrix& values);
+void write_array(const stltsa_out* out, std::span<const double> column);
+void write_array(const stltsa_out* out, std::span<const std::int64_t> column);
+
 /// The rows of each clip; NULL: one clip of all rows.
 std::vector<std::int64_t> clip_lengths(const stltsa_in* lengths, std::int64_t rows);
 

@@ -6,6 +6,7 @@
 
 #include "base/warning.hpp"
 #include "capi/boundary/guard.hpp"
+#include "capi/handles.hpp"
 
 using namespace stltsa;
 using capi::guard;
@@ -31,7 +32,13 @@ static_assert(same(WarningCode::follows_time, STLTSA_WARNING_FOLLOWS_TIME) &&
               same(WarningCode::seam_acceleration, STLTSA_WARNING_SEAM_ACCELERATION) &&
               same(WarningCode::not_blended, STLTSA_WARNING_NOT_BLENDED) &&
               same(WarningCode::no_order, STLTSA_WARNING_NO_ORDER) &&
-              same(WarningCode::linear_phase, STLTSA_WARNING_LINEAR_PHASE));
+              same(WarningCode::linear_phase, STLTSA_WARNING_LINEAR_PHASE) &&
+              same(WarningCode::several_places, STLTSA_WARNING_SEVERAL_PLACES) &&
+              same(WarningCode::not_found, STLTSA_WARNING_NOT_FOUND) &&
+              same(WarningCode::few_cycles, STLTSA_WARNING_FEW_CYCLES) &&
+              same(WarningCode::not_alike, STLTSA_WARNING_NOT_ALIKE) &&
+              same(WarningCode::uncertain_shift, STLTSA_WARNING_UNCERTAIN_SHIFT) &&
+              same(WarningCode::sizes_differ, STLTSA_WARNING_SIZES_DIFFER));
 
 const capi::InfoRow* row_of(const capi::InfoTable& table, int32_t key) {
     for (const auto rows : {table.own, table.source, table.fit, table.warnings})
@@ -48,13 +55,32 @@ const char* name_of(int32_t key) {
     fail(Status::argument, "there is no info key {}; see stltsa_info_describe", key);
 }
 
-capi::Fact find(const stltsa_info& info, int32_t key, int64_t index) {
+/// Throws if the handle lacks the key, or if it is of another kind.
+template <class IsKind>
+const capi::InfoRow& find(const stltsa_info& info, int32_t key, const char* kind, IsKind is_kind) {
+    const char* name = name_of(key);
+    const capi::InfoRow* row = row_of(*info.table, key);
+    if (row == nullptr)
+        fail(Status::argument, "there is no {} here", name);
+    if (!is_kind(*row))
+        fail(Status::argument, "info {} is not {}", name, kind);
+    return *row;
+}
+
+const capi::InfoRow& array_row(const stltsa_info* info, int32_t key) {
+    return find(required(info, "info"), key, "an array",
+                [](const capi::InfoRow& row) { return row.write != nullptr; });
+}
+
+capi::Fact value(const stltsa_info& info, int32_t key, int64_t index, const char* type) {
     const char* name = name_of(key);
     const capi::InfoRow* row = row_of(*info.table, key);
     const int64_t count = row == nullptr ? 0 : row->count(info);
     if (index < 0 || index >= count)
         fail(Status::argument, "value {} of info {} does not exist: there are {} here", index, name,
              count);
+    if (row->value == nullptr)
+        fail(Status::argument, "info {} is not {}", name, type);
     return row->value(info, static_cast<std::size_t>(index));
 }
 
@@ -63,7 +89,7 @@ stltsa_status get(const stltsa_info* info, int32_t key, int64_t index, T* value,
                   const char* type) noexcept {
     return guard([&] {
         required(value, "value");
-        const capi::Fact found = find(required(info, "info"), key, index);
+        const capi::Fact found = ::value(required(info, "info"), key, index, type);
         if (!std::holds_alternative<T>(found))
             fail(Status::argument, "info {} is not {}", name_of(key), type);
         *value = std::get<T>(found);
@@ -92,8 +118,53 @@ stltsa_status stltsa_info_text(const stltsa_info* info, int32_t key, int64_t ind
     return get(info, key, index, value, "a text");
 }
 
-int64_t stltsa_info_key_count(void) noexcept {
-    return static_cast<int64_t>(capi::info_keys().size());
+stltsa_status stltsa_info_rows(const stltsa_info* info, int32_t key, int64_t begin, int64_t count,
+                               void* rows, size_t row_size) noexcept {
+    return guard([&] {
+        const capi::InfoRow& list =
+            find(required(info, "info"), key, "a list of rows",
+                 [](const capi::InfoRow& row) { return row.row != nullptr; });
+        const int64_t all = list.count(*info);
+        if (begin < 0 || count < 0 || begin > all || count > all - begin)
+            fail(Status::argument, "rows {} to {} of {} do not exist: there are {} here", begin,
+                 begin + count, name_of(key), all);
+        if (count > 0)
+            required(static_cast<char*>(rows), "rows");
+        for (int64_t i = 0; i < count; ++i)
+            list.row(*info, static_cast<std::size_t>(begin + i),
+                     static_cast<char*>(rows) + static_cast<std::size_t>(i) * row_size, row_size);
+    });
+}
+
+stltsa_status stltsa_info_array(const stltsa_info* info, int32_t key, int64_t index,
+                                const stltsa_out* array) noexcept {
+    return capi::compute([&] {
+        const capi::InfoRow& found = array_row(info, key);
+        if (index < 0 || index >= found.count(*info))
+            fail(Status::argument, "array {} of {} does not exist: there are {} here", index,
+                 name_of(key), found.count(*info));
+        found.write(*info, static_cast<std::size_t>(index), array);
+    });
+}
+
+stltsa_status stltsa_info_shape(const stltsa_info* info, int32_t key, int64_t* rows,
+                                int64_t* cols) noexcept {
+    return guard([&] {
+        const capi::InfoRow& found = array_row(info, key);
+        if (found.count(*info) == 0)
+            fail(Status::argument, "there is no {} here", name_of(key));
+        const capi::Shape shape = found.shape(*info);
+        required(rows, "rows") = shape.rows;
+        required(cols, "cols") = shape.cols;
+    });
+}
+
+stltsa_status stltsa_info_json(const stltsa_info* info, char** json) noexcept {
+    return guard([&] {
+        required(json, "json") = nullptr;
+        const std::string text = required(info, "info").table->json(*info);
+        *json = capi::caller_string(text);
+    });
 }
 
 stltsa_status stltsa_info_describe(int64_t index, stltsa_info_key* key) noexcept {
@@ -106,9 +177,7 @@ stltsa_status stltsa_info_describe(int64_t index, stltsa_info_key* key) noexcept
         if (size < sizeof(size_t) + 2 * sizeof(int32_t))
             fail(Status::argument, "key->size is {}; set it to sizeof(stltsa_info_key)", size);
         stltsa_info_key row = keys[static_cast<std::size_t>(index)];
-        for (const capi::InfoTable* table :
-             {&capi::clip_table, &capi::model_table, &capi::dimension_table,
-              &capi::decomposition_table, &capi::denoising_table, &capi::synthesis_table})
+        for (const capi::InfoTable* table : capi::info_tables())
             if (const capi::InfoRow* found = row_of(*table, row.key)) {
                 row.handles |= table->handle;
                 row.is_list = found->is_list ? 1 : 0;

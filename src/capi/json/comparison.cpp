@@ -41,7 +41,7 @@ Json motion_json(const Comparison& of, std::size_t which) {
     const double time = which == 0 ? of.cycle_time.first : of.cycle_time.second;
     return JsonObject("path", json_string_or_null(motion.clip.path), "frames", motion.clip.frames,
                       "fps", motion.clip.fps > 0 ? motion.clip.fps : none, "label",
-                      label_text(motion.label), "cycles", motion.cycles, "cycles_per_min",
+                      letters_of(motion.label), "cycles", motion.cycles, "cycles_per_min",
                       60 / time, "left_out",
                       which == 0 ? of.columns.left_out : of.columns.other_left_out);
 }
@@ -91,7 +91,7 @@ std::string comparison_json(const Comparison& of) {
     object.set("size_ratio", of.size_ratio, "cycle_time_s", estimate_json(of.cycle_time));
     object.set("judged", of.judged, "significant", of.significant, "expected_by_chance",
                expected_by_chance(of));
-    object.set("parts", parts_json(of), "warnings", of.warnings);
+    object.set("parts", parts_json(of), "warnings", json_warnings(of.warnings));
     return object.text();
 }
 

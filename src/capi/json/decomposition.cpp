@@ -1,46 +1,142 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
+#include "base/names.hpp"
+#include "capi/json/fields.hpp"
 #include "capi/json/parts.hpp"
 
 namespace stltsa::capi {
 namespace {
 
-template <class Interval>
-void set_span(JsonObject& object, const Interval& interval) {
-    object.set("begin", interval.begin, "end", interval.end, "begin_s", interval.begin_s, "end_s",
-               interval.end_s);
+using Segment = stltsa_segment;
+using Unit = stltsa_unit;
+using Part = stltsa_part;
+using Statistics = stltsa_statistics;
+using Summary = stltsa_summary;
+
+constexpr Field<Segment> segment_fields[] = {
+    {"kind", [](const Segment& s) { return Json(name_of(segment_kinds, s.kind)); }},
+    {"label", known<&Segment::letters>},
+    {"likeness", value<&Segment::likeness>},
+    {"begin", value<&Segment::begin>},
+    {"end", value<&Segment::end>},
+    {"begin_s", value<&Segment::begin_s>},
+    {"end_s", value<&Segment::end_s>},
+    {"period_s", value<&Segment::period_s>},
+    {"candidate_period_s", value<&Segment::candidate_period_s>},
+    {"count", value<&Segment::count>},
+    {"carried_by", texts<&Segment::carried_by>},
+    {"open_begin", flag<&Segment::open_begin>},
+    {"open_end", flag<&Segment::open_end>},
+    {"confidence", value<&Segment::confidence>},
+    {"begin_confidence", value<&Segment::begin_confidence>},
+    {"reason", known<&Segment::reason>},
+    {"first_step_share", value<&Segment::first_step_share>},
+    {"first_step_margin", value<&Segment::first_step_margin>},
+    {"steps_reason", known<&Segment::steps_reason>},
+};
+
+constexpr Field<Unit> unit_fields[] = {
+    {"kind", [](const Unit& u) { return Json(name_of(unit_kinds, u.kind)); }},
+    {"segment", value<&Unit::segment>},
+    {"begin", value<&Unit::begin>},
+    {"end", value<&Unit::end>},
+    {"begin_s", value<&Unit::begin_s>},
+    {"end_s", value<&Unit::end_s>},
+};
+
+constexpr Field<Part> travel_fields[] = {
+    {"path_length", value<&Part::path_length>},
+    {"stride", value<&Part::stride>},
+    {"speed", value<&Part::speed>},
+    {"turn_deg", value<&Part::turn_deg>},
+};
+
+/// Null if nothing is known.
+Json travel(const Part& part) {
+    return std::isfinite(part.path_length) ? Json(row_json(travel_fields, part)) : Json(nullptr);
 }
 
-/// A, B, ... Z, AA, AB, ...; null for a rest.
-Json label_json(int label) {
-    if (label < 0)
+constexpr Field<Part> cycle_fields[] = {
+    {"segment", value<&Part::segment>},
+    {"begin", value<&Part::begin>},
+    {"end", value<&Part::end>},
+    {"begin_s", value<&Part::begin_s>},
+    {"end_s", value<&Part::end_s>},
+    {"side", known<&Part::side>},
+    {"side_name", known<&Part::side_name>},
+    {"likeness", value<&Part::likeness>},
+    {"confidence", value<&Part::confidence>},
+    {"travel", travel},
+};
+
+constexpr Field<Part> step_fields[] = {
+    {"segment", value<&Part::segment>},
+    {"cycle", value<&Part::cycle>},
+    {"begin", value<&Part::begin>},
+    {"end", value<&Part::end>},
+    {"begin_s", value<&Part::begin_s>},
+    {"end_s", value<&Part::end_s>},
+    {"side", known<&Part::side>},
+    {"side_name", known<&Part::side_name>},
+    {"travel", travel},
+};
+
+constexpr Field<Part> repetition_fields[] = {
+    {"segment", value<&Part::segment>},
+    {"label", known<&Part::letters>},
+    {"begin", value<&Part::begin>},
+    {"end", value<&Part::end>},
+    {"begin_s", value<&Part::begin_s>},
+    {"end_s", value<&Part::end_s>},
+    {"likeness", value<&Part::likeness>},
+    {"confidence", value<&Part::confidence>},
+    {"travel", travel},
+};
+
+constexpr Field<Statistics> statistics_fields[] = {
+    {"mean", value<&Statistics::mean>},
+    {"sd", value<&Statistics::sd>},
+    {"cv", value<&Statistics::cv>},
+    {"trend", value<&Statistics::trend>},
+};
+
+/// Null if there is nothing of it.
+template <Statistics Summary::*of>
+Json statistics(const Summary& summary) {
+    return (summary.*of).count == 0 ? Json(nullptr)
+                                    : Json(row_json(statistics_fields, summary.*of));
+}
+
+/// With the means of both sides, to compare them.
+Json step_time(const Summary& summary) {
+    if (summary.step_time_s.count == 0)
         return nullptr;
-    std::string text;
-    for (int rest = label; rest >= 0; rest = rest / 26 - 1)
-        text.insert(text.begin(), static_cast<char>('A' + rest % 26));
-    return text;
+    JsonObject object = row_json(statistics_fields, summary.step_time_s);
+    object.set("side_means",
+               std::vector<double>{summary.step_time_side_0_s, summary.step_time_side_1_s});
+    return object;
 }
 
-Json segments_json(const Decomposed& decomposed) {
-    std::vector<Json> list;
-    for (std::size_t i = 0; i < decomposed.segments.size(); ++i) {
-        const stltsa_segment& segment = decomposed.segments[i];
-        JsonObject object("kind", stltsa_segment_name(segment.kind), "label",
-                          label_json(segment.label), "likeness", segment.likeness);
-        set_span(object, segment);
-        object.set("period_s", json_positive_or_null(segment.period_s), "candidate_period_s",
-                   json_positive_or_null(segment.candidate_period_s), "count", segment.count,
-                   "carried_by", decomposed.carriers[i], "open_begin", segment.open_begin == 1,
-                   "open_end", segment.open_end == 1, "confidence", segment.confidence,
-                   "begin_confidence", segment.begin_confidence, "reason",
-                   json_string_or_null(decomposed.reasons[i]), "first_step_share",
-                   decomposed.halves[i].first, "first_step_margin", decomposed.halves[i].margin,
-                   "steps_reason", json_string_or_null(decomposed.halves[i].reason));
-        list.push_back(object);
-    }
-    return list;
-}
+constexpr Field<Summary> summary_fields[] = {
+    {"label", known<&Summary::letters>},
+    {"count", value<&Summary::count>},
+    {"cycles_per_min", value<&Summary::cycles_per_min>},
+    {"cycle_time_s", statistics<&Summary::cycle_time_s>},
+    {"steps_per_min", value<&Summary::steps_per_min>},
+    {"step_time_s", step_time},
+    {"path_length", statistics<&Summary::path_length>},
+    {"stride", statistics<&Summary::stride>},
+    {"speed", statistics<&Summary::speed>},
+    {"turn_deg", statistics<&Summary::turn_deg>},
+};
+
+constexpr Field<Warning> warning_fields[] = {
+    {"code", [](const Warning& w) { return Json(static_cast<std::int64_t>(w.code)); }},
+    {"text", value<&Warning::text>},
+    {"begin_s", value<&Warning::begin_s>},
+    {"end_s", value<&Warning::end_s>},
+};
 
 /// In thousandths, because there are so many numbers if there are many labels.
 Json likeness_json(const Matrix& likeness) {
@@ -55,141 +151,13 @@ Json likeness_json(const Matrix& likeness) {
     return rows;
 }
 
-Json units_json(std::span<const stltsa_interval> units) {
-    std::vector<Json> list;
-    for (const stltsa_interval& unit : units) {
-        JsonObject object("kind", stltsa_unit_name(unit.kind), "segment", unit.segment);
-        set_span(object, unit);
-        list.push_back(object);
-    }
-    return list;
-}
-
-Json side_json(int32_t side) {
-    return side < 0 ? Json(nullptr) : Json(side);
-}
-
-/// Null if names do not state it.
-Json side_name_json(const Decomposed& decomposed, int32_t side) {
-    const Side named = decomposed.named_side(side);
-    if (named == Side::neither)
-        return nullptr;
-    return named == Side::left ? "left" : "right";
-}
-
-/// Null if nothing is known.
-Json travel_json(const stltsa_travel& travel) {
-    if (!std::isfinite(travel.way))
-        return nullptr;
-    return JsonObject("way", travel.way, "stride", travel.stride, "speed", travel.speed, "turn_deg",
-                      travel.turn);
-}
-
-Json cycles_json(const Decomposed& decomposed) {
-    std::vector<Json> list;
-    for (const stltsa_part& cycle : decomposed.cycle_parts) {
-        JsonObject object("segment", cycle.segment);
-        set_span(object, cycle);
-        object.set("side", side_json(cycle.side), "side_name",
-                   side_name_json(decomposed, cycle.side), "likeness", cycle.likeness, "confidence",
-                   cycle.confidence, "travel", travel_json(decomposed.cycle_travels[list.size()]));
-        list.push_back(object);
-    }
-    return list;
-}
-
-Json steps_json(const Decomposed& decomposed) {
-    std::vector<Json> list;
-    for (const stltsa_part& step : decomposed.steps) {
-        JsonObject object("segment", step.segment, "cycle", step.parent);
-        set_span(object, step);
-        object.set("side", side_json(step.side), "side_name", side_name_json(decomposed, step.side),
-                   "travel", travel_json(decomposed.step_travels[list.size()]));
-        list.push_back(object);
-    }
-    return list;
-}
-
-Json repetitions_json(const Decomposed& decomposed) {
-    std::vector<Json> list;
-    for (const stltsa_part& repetition : decomposed.repetitions) {
-        const auto segment = static_cast<std::size_t>(repetition.segment);
-        JsonObject object("segment", repetition.segment, "label",
-                          label_json(decomposed.segments[segment].label));
-        set_span(object, repetition);
-        object.set("likeness", repetition.likeness, "confidence", repetition.confidence, "travel",
-                   travel_json(decomposed.repetition_travels[list.size()]));
-        list.push_back(object);
-    }
-    return list;
-}
-
-JsonObject statistics_object(const stltsa_statistics& found) {
-    return JsonObject("mean", found.mean, "sd", found.sd, "cv", found.cv, "trend", found.trend);
-}
-
-/// Null if there is nothing of it.
-Json statistics_json(const stltsa_statistics& found) {
-    return found.count == 0 ? Json(nullptr) : Json(statistics_object(found));
-}
-
-/// With the means of both sides, to compare them; null without steps.
-Json step_time_json(const Decomposed& decomposed, std::int32_t label) {
-    const auto of_side = [&](std::int32_t side) {
-        return results::statistics_of(decomposed.segments, decomposed.parts(STLTSA_PART_STEP),
-                                      label, side, STLTSA_QUANTITY_TIME);
-    };
-    const stltsa_statistics both = of_side(-1);
-    if (both.count == 0)
-        return nullptr;
-    JsonObject object = statistics_object(both);
-    object.set("side_means", std::vector<double>{of_side(0).mean, of_side(1).mean});
-    return object;
-}
-
-Json summary_json(const Decomposed& decomposed) {
-    constexpr double minute = 60;
-    std::vector<Json> list;
-    for (const stltsa_summary& summary : decomposed.summaries) {
-        const auto of = [&](std::int32_t kind, std::int32_t quantity) {
-            return results::statistics_of(decomposed.segments, decomposed.parts(kind),
-                                          summary.label, -1, quantity);
-        };
-        const bool cycles = of(STLTSA_PART_CYCLE, STLTSA_QUANTITY_TIME).count > 0;
-        const auto travel = [&](std::int32_t quantity) {
-            return statistics_json(
-                of(cycles ? STLTSA_PART_CYCLE : STLTSA_PART_REPETITION, quantity));
-        };
-        const stltsa_statistics steps = of(STLTSA_PART_STEP, STLTSA_QUANTITY_TIME);
-        list.push_back(JsonObject(
-            "label", label_json(summary.label), "count", summary.count, "cycles_per_min",
-            summary.per_minute, "cycle_time_s",
-            JsonObject("mean", summary.mean_s, "sd", summary.sd_s, "cv", summary.cv, "trend",
-                       summary.trend),
-            "steps_per_min", steps.count == 0 ? Json(nullptr) : Json(minute / steps.mean),
-            "step_time_s", step_time_json(decomposed, summary.label), "way",
-            travel(STLTSA_QUANTITY_WAY), "stride", travel(STLTSA_QUANTITY_STRIDE), "speed",
-            travel(STLTSA_QUANTITY_SPEED), "turn_deg", travel(STLTSA_QUANTITY_TURN)));
-    }
-    return list;
-}
-
-Json timed_warnings_json(std::span<const Warning> warnings) {
-    std::vector<Json> list;
-    for (const Warning& warning : warnings)
-        list.push_back(JsonObject("code", static_cast<std::int64_t>(warning.code), "text",
-                                  warning.text, "begin_s", warning.begin_s, "end_s",
-                                  warning.end_s));
-    return list;
-}
-
 /// The cycle with its index; null if there is none.
-Json chosen_cycle(std::span<const stltsa_interval> cycles, std::int64_t index) {
-    if (index < 0 || index >= static_cast<std::int64_t>(cycles.size()))
+Json chosen_cycle(const std::vector<Part>& cycles, std::int64_t index) {
+    if (index < 0 || index >= std::ssize(cycles))
         return nullptr;
-    JsonObject object("index", index);
-    set_span(object, cycles[static_cast<std::size_t>(index)]);
-    return object;
+    const Part& cycle = cycles[static_cast<std::size_t>(index)];
+    return JsonObject("index", index, "begin", cycle.begin, "end", cycle.end, "begin_s",
+                      cycle.begin_s, "end_s", cycle.end_s);
 }
 
 Json embedding_json(const motion::Curve& found) {
@@ -208,17 +176,17 @@ std::string decomposition_json(const Decomposed& decomposed) {
     object.set("embedding", embedding_json(decomposed.curve));
     object.set("period_s", json_positive_or_null(decomposed.source.period.period));
     object.set("lag_quality", decomposed.source.period.lag_quality);
-    object.set("segments", segments_json(decomposed));
+    object.set("segments", rows_json(segment_fields, decomposed.segments));
     object.set("label_likeness", likeness_json(decomposed.label_likeness));
-    object.set("units", units_json(decomposed.units));
-    object.set("cycles", cycles_json(decomposed));
-    object.set("steps", steps_json(decomposed));
-    object.set("repetitions", repetitions_json(decomposed));
-    object.set("summary", summary_json(decomposed));
+    object.set("units", rows_json(unit_fields, decomposed.units));
+    object.set("cycles", rows_json(cycle_fields, decomposed.cycles));
+    object.set("steps", rows_json(step_fields, decomposed.steps));
+    object.set("repetitions", rows_json(repetition_fields, decomposed.repetitions));
+    object.set("summary", rows_json(summary_fields, decomposed.summaries));
     object.set("representative_cycle", chosen_cycle(decomposed.cycles, decomposed.representative));
     object.set("best_cycle", chosen_cycle(decomposed.cycles, decomposed.best));
     object.set("reason", json_string_or_null(decomposed.reason));
-    object.set("warnings", timed_warnings_json(decomposed.warnings));
+    object.set("warnings", rows_json(warning_fields, decomposed.warnings));
     return object.text();
 }
 

@@ -18,9 +18,16 @@ Json components_json(const std::vector<ltsa::Component>& components) {
     return list;
 }
 
-JsonObject estimate(int dimension, const std::string& reason) {
-    return JsonObject("dimension", json_count_or_null(dimension), "reason",
-                      json_string_or_null(reason));
+Json local_pca(const ltsa::Dimension& found) {
+    return JsonObject("dimension", json_count_or_null(found.local_pca), "reason",
+                      json_string_or_null(found.local_pca_reason), "variance", found.local_variance,
+                      "shares", found.local_variances);
+}
+
+Json eigengap(const ltsa::Dimension& found) {
+    return JsonObject("dimension", json_count_or_null(found.eigengap), "reason",
+                      json_string_or_null(found.eigengap_reason), "threshold", found.threshold,
+                      "eigenvalues", found.eigenvalues);
 }
 
 } // namespace
@@ -38,25 +45,10 @@ std::string model_json(const Fitted& fitted) {
     object.set("time_correlation", model.time_correlation);
     object.set("repeated_frames", model.repeated_frames);
     object.set("components", components_json(model.components));
+    if (fitted.dimension)
+        object.set("local_pca", local_pca(*fitted.dimension), "eigengap",
+                   eigengap(*fitted.dimension));
     object.set("warnings", json_warnings(model.warnings));
-    return object.text();
-}
-
-std::string dimension_json(const EstimatedDimension& estimated) {
-    const ltsa::Dimension& dimension = estimated.dimension;
-    JsonObject object = json_head("dimension");
-    object.set("clip", json_clip(estimated.source));
-    object.set("samples", json_samples(estimated.source.samples));
-    object.set("parameters", json_parameters(dimension.parameters, estimated.source));
-    object.set("period_s",
-               json_positive_or_null(
-                   in_seconds(estimated.source.period, estimated.source.samples).period));
-    JsonObject local_pca = estimate(dimension.local_pca, dimension.local_pca_reason);
-    local_pca.set("variance", dimension.local_variance, "shares", dimension.local_variances);
-    object.set("local_pca", local_pca);
-    JsonObject eigengap = estimate(dimension.eigengap, dimension.eigengap_reason);
-    eigengap.set("threshold", dimension.threshold, "eigenvalues", dimension.eigenvalues);
-    object.set("eigengap", eigengap);
     return object.text();
 }
 

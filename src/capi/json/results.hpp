@@ -15,7 +15,6 @@ namespace stltsa::capi {
 
 std::string clip_json(const clip::Clip& clip);
 std::string model_json(const results::Fitted& fitted);
-std::string dimension_json(const results::EstimatedDimension& estimated);
 std::string decomposition_json(const results::Decomposed& decomposed);
 std::string comparison_json(const results::Comparison& comparison);
 std::string denoising_json(const results::Denoised& denoised);

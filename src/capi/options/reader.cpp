@@ -119,8 +119,10 @@ clip::PrepareOptions OptionsReader::prepare_options() const {
     return prepare;
 }
 
-ltsa::DimensionOptions OptionsReader::dimension_options() const {
-    return {real(STLTSA_OPT_EIGENGAP), real(STLTSA_OPT_VARIANCE)};
+std::optional<ltsa::DimensionOptions> OptionsReader::intrinsic_options() const {
+    if (integer(STLTSA_OPT_INTRINSIC) == 0)
+        return std::nullopt;
+    return ltsa::DimensionOptions{real(STLTSA_OPT_EIGENGAP), real(STLTSA_OPT_VARIANCE)};
 }
 
 motion::Options OptionsReader::decompose_options() const {
@@ -180,10 +182,6 @@ synthesis::Options OptionsReader::synthesis_options() const {
 using namespace stltsa;
 using capi::guard;
 using capi::required;
-
-int64_t stltsa_option_count(void) noexcept {
-    return static_cast<int64_t>(capi::options_table().size());
-}
 
 stltsa_status stltsa_option_describe(int64_t index, stltsa_option_info* info) noexcept {
     return guard([&] {

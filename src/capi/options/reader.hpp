@@ -47,7 +47,7 @@ class OptionsReader {
 
     clip::ReadOptions read_options() const;
     clip::PrepareOptions prepare_options() const;
-    ltsa::DimensionOptions dimension_options() const;
+    std::optional<ltsa::DimensionOptions> intrinsic_options() const;
     motion::Options decompose_options() const;
     results::PeriodSearch period_search() const;
     results::FitOptions fit_options() const;

@@ -34,7 +34,7 @@ constexpr stltsa_option_info text(int32_t key, int32_t calls, const char* name, 
     return {0, key, STLTSA_TYPE_TEXT, name, text, nullptr, 0, 0, automatic, 1, calls};
 }
 
-constexpr int32_t embeds = STLTSA_CALL_FIT | STLTSA_CALL_DIMENSION; // from frames or clips
+constexpr int32_t embeds = STLTSA_CALL_FIT; // from frames or clips
 constexpr int32_t analyzes = embeds | STLTSA_CALL_DECOMPOSE;
 constexpr int32_t maps = STLTSA_CALL_MAP | STLTSA_CALL_UNMAP;
 
@@ -97,12 +97,14 @@ constexpr stltsa_option_info rows[] = {
          "and "
          "at most 1000 by default.",
          0.01, 3600, 6),
-    real(STLTSA_OPT_EIGENGAP, STLTSA_CALL_DIMENSION, "eigengap",
+    real(STLTSA_OPT_EIGENGAP, STLTSA_CALL_FIT, "eigengap",
          "Smallest gap between eigenvalues that determines the dimension, as a fraction of the "
          "neighbors.",
          0, 1, 0.1),
-    real(STLTSA_OPT_VARIANCE, STLTSA_CALL_DIMENSION, "variance",
+    real(STLTSA_OPT_VARIANCE, STLTSA_CALL_FIT, "variance",
          "Share of a neighborhood's variance that local PCA must explain.", 0.01, 1, 0.95),
+    whole(STLTSA_OPT_INTRINSIC, STLTSA_CALL_FIT, "intrinsic",
+          "Estimate the intrinsic dimension, too, by the eigengap and by local PCA.", 0, 1, 0),
     text(STLTSA_OPT_SKELETON, STLTSA_CALL_OPEN, "skeleton",
          "The ASF file of an AMC clip; auto: found beside the clip."),
     whole(STLTSA_OPT_KEEP_FRAMES, STLTSA_CALL_FIT, "keep_frames",

@@ -91,7 +91,7 @@ struct Unit {
 };
 
 /// The reason of a rest that is a hole.
-inline constexpr std::string_view nothing_recorded = "nothing recorded";
+inline constexpr const char* nothing_recorded = "nothing recorded";
 
 /// Samples [begin, end) of which nothing is known, because most of the body was not recorded. They
 /// become a rest. An empty one only divides, where a clip was cut.
