@@ -3,7 +3,7 @@
 // stltsa.h documents each function and its options.
 //
 //     const stltsa::Clip clip = stltsa::Clip::open("walk.bvh");
-//     for (const stltsa::Interval& unit : stltsa::decompose(clip).units())
+//     for (const stltsa::Unit& unit : stltsa::decompose(clip).units())
 //         std::cout << stltsa::unit_name(unit.kind) << ' ' << unit.begin_s << " s\n";
 //
 // Failures are thrown as stltsa::Error. Keys and kinds are the constants of stltsa.h; get() of each
@@ -46,17 +46,26 @@ class Error : public std::runtime_error {
     stltsa_status status_;
 };
 
-using Interval = stltsa_interval;
+// Rows of lists: the texts in them are valid as long as the object that they came from.
+using Warning = stltsa_warning;
+using Joint = stltsa_joint; ///< also input
+using FileEvent = stltsa_file_event;
+using Component = stltsa_component;
 using Segment = stltsa_segment;
+using Unit = stltsa_unit;
 using Part = stltsa_part;
-using Travel = stltsa_travel;
-using Statistics = stltsa_statistics;
 using Summary = stltsa_summary;
-using Seam = stltsa_seam;
 using Event = stltsa_event;
-using Difference = stltsa_estimate;
-using ComparedCycles = stltsa_compared_cycles;
+using Compared = stltsa_compared;
+using ComparedMotion = stltsa_compared_motion;
 using ComparedPart = stltsa_compared_part;
+using DenoisedColumn = stltsa_denoised_column;
+using Seam = stltsa_seam;
+using PieceFact = stltsa_piece_fact;
+
+using Interval = stltsa_interval;
+using Statistics = stltsa_statistics;
+using Estimate = stltsa_estimate;
 using LiveFrame = stltsa_live_frame;
 using Piece = stltsa_piece; ///< see Clip::piece()
 using OptionInfo = stltsa_option_info;
@@ -152,19 +161,12 @@ Value got(Get get, Arguments... arguments) {
     return value;
 }
 
-template <class Write, class T>
-std::string json(Write write, const T* handle) {
-    const Handle<char, stltsa_free> text(got<char*>(write, handle));
-    return text.get();
-}
-
 inline stltsa_out out(Matrix& matrix) noexcept {
     return {matrix.values.data(), matrix.rows, matrix.cols, 0, 0, STLTSA_F64, 0};
 }
 inline stltsa_out out(std::vector<double>& column) noexcept {
     return {column.data(), static_cast<std::int64_t>(column.size()), 1, 0, 0, STLTSA_F64, 0};
 }
-
 inline stltsa_out out(std::vector<std::int64_t>& list) noexcept {
     return {list.data(), static_cast<std::int64_t>(list.size()), 1, 0, 0, STLTSA_I64, 0};
 }
@@ -180,15 +182,6 @@ class List {
     stltsa_in in_;
 };
 
-template <class Fill, class T, class... Arguments>
-Matrix matrix(Fill fill, const T* handle, std::int64_t rows, std::int64_t cols,
-              Arguments... arguments) {
-    Matrix result(rows, cols);
-    const stltsa_out to = out(result);
-    check(fill(handle, arguments..., &to));
-    return result;
-}
-
 /// The results of item(index) for 0 to count - 1.
 template <class Item>
 auto list(std::int64_t count, Item item) {
@@ -198,18 +191,25 @@ auto list(std::int64_t count, Item item) {
     return items;
 }
 
-template <class Count, class Text, class T>
-std::vector<std::string> texts(Count count, Text text, const T* handle) {
-    return list(count(handle), [&](std::int64_t i) { return std::string(text(handle, i)); });
+/// The rows that describe(index, &row) gives until it fails.
+template <class Row, class Describe>
+std::vector<Row> table(Describe describe) {
+    std::vector<Row> rows;
+    Row row{};
+    for (row.size = sizeof row;
+         describe(static_cast<std::int64_t>(rows.size()), &row) == STLTSA_OK;)
+        rows.push_back(row);
+    return rows;
+}
+
+inline const char* text_or_null(const std::string& text) noexcept {
+    return text.empty() ? nullptr : text.c_str();
 }
 
 } // namespace detail
 
 inline std::string version() {
     return stltsa_version();
-}
-inline std::int32_t version_number() noexcept {
-    return stltsa_version_number();
 }
 /// Whether this build has the part STLTSA_HAS_*.
 inline bool has(std::int32_t part) noexcept {
@@ -218,34 +218,26 @@ inline bool has(std::int32_t part) noexcept {
 inline std::string status_name(stltsa_status status) {
     return stltsa_status_name(status);
 }
-inline std::string segment_name(std::int32_t kind) {
+inline std::string segment_name(std::int64_t kind) {
     return stltsa_segment_name(kind);
 }
-inline std::string unit_name(std::int32_t kind) {
+inline std::string unit_name(std::int64_t kind) {
     return stltsa_unit_name(kind);
 }
-
+/// The side of the body that the name of an event, a joint or a signal states, STLTSA_SIDE_*.
+inline std::int32_t side_of_name(const std::string& name) noexcept {
+    return stltsa_side_of_name(name.c_str());
+}
 /// One row for each option.
 inline std::vector<OptionInfo> option_table() {
-    return detail::list(stltsa_option_count(), [](std::int64_t index) {
-        OptionInfo info{};
-        info.size = sizeof info;
-        detail::check(stltsa_option_describe(index, &info));
-        return info;
-    });
+    return detail::table<OptionInfo>(stltsa_option_describe);
 }
-
 /// One row for each key of Info.
 inline std::vector<InfoKey> info_table() {
-    return detail::list(stltsa_info_key_count(), [](std::int64_t index) {
-        InfoKey key{};
-        key.size = sizeof key;
-        detail::check(stltsa_info_describe(index, &key));
-        return key;
-    });
+    return detail::table<InfoKey>(stltsa_info_describe);
 }
 
-/// Facts by key, as info() of an object gives them; they are valid as long as the object.
+/// Facts, lists and arrays by key, as info() of an object gives them; valid as long as the object.
 class Info {
   public:
     explicit Info(const stltsa_info* of) : info_(of) {}
@@ -269,9 +261,50 @@ class Info {
     std::vector<std::string> texts(std::int32_t key) const {
         return detail::list(count(key), [&](std::int64_t index) { return text(key, index); });
     }
+    /// Row: the struct that the key names.
+    template <class Row>
+    std::vector<Row> rows(std::int32_t key) const {
+        std::vector<Row> all(static_cast<std::size_t>(count(key)));
+        if (!all.empty())
+            detail::check(stltsa_info_rows(info_, key, 0, count(key), all.data(), sizeof(Row)));
+        return all;
+    }
+    Matrix array(std::int32_t key, std::int64_t index = 0) const {
+        Matrix values;
+        detail::check(stltsa_info_shape(info_, key, &values.rows, &values.cols));
+        values = Matrix(values.rows, values.cols);
+        const stltsa_out to = detail::out(values);
+        detail::check(stltsa_info_array(info_, key, index, &to));
+        return values;
+    }
+    std::string json() const {
+        const detail::Handle<char, stltsa_free> text(detail::got<char*>(stltsa_info_json, info_));
+        return text.get();
+    }
 
   private:
     const stltsa_info* info_;
+};
+
+/// What all results have in common.
+template <class T, auto free_handle, auto info_of>
+class Result {
+  public:
+    using Pointer = T*;
+
+    explicit Result(T* owned) : handle_(owned) {}
+
+    Info info() const noexcept { return Info(info_of(get())); }
+    std::string json() const { return info().json(); }
+    std::vector<Warning> warnings() const {
+        return info().template rows<Warning>(STLTSA_INFO_WARNING);
+    }
+
+    T* get() noexcept { return handle_.get(); }
+    const T* get() const noexcept { return handle_.get(); }
+
+  private:
+    detail::Handle<T, free_handle> handle_;
 };
 
 class Options {
@@ -342,21 +375,6 @@ class Options {
     detail::Handle<stltsa_options, stltsa_options_free> handle_;
 };
 
-struct Joint {
-    std::string name;
-    std::int64_t parent = -1; ///< -1: the root
-    std::array<double, 3> offset{};
-    std::optional<std::string> channels; ///< see stltsa_joint
-    bool is_end_site = false;
-};
-
-/// See stltsa_file_event.
-struct FileEvent {
-    std::string label, context;
-    double frame = 0;
-    double seconds = 0; ///< 0 if the rate is unknown
-};
-
 /// See stltsa_points. Views that are empty are not used.
 struct Points {
     MatrixView positions;
@@ -374,6 +392,10 @@ class Clip {
 
     static Clip open(const std::string& path, const Options& options = {}) {
         return detail::made<Clip>(stltsa_clip_open, path.c_str(), options.get());
+    }
+    /// The clip, or a stretch of it, such as "walk.bvh:cyclic"; see stltsa_clip_open_stretch.
+    static Clip open_stretch(const std::string& text, const Options& options = {}) {
+        return detail::made<Clip>(stltsa_clip_open_stretch, text.c_str(), options.get());
     }
     /// If `format` is 0, the content decides. `name`: see stltsa_clip_parse; empty: none.
     static Clip parse(std::span<const std::byte> bytes, std::int32_t format = 0,
@@ -402,22 +424,11 @@ class Clip {
         return detail::made<Clip>(stltsa_clip_from_points, &given, options.get());
     }
     /// See stltsa_clip_from_skeleton; `form` is one of STLTSA_ROTATIONS_*.
-    static Clip from_skeleton(const std::vector<Joint>& joints, std::int32_t form,
+    static Clip from_skeleton(std::span<const Joint> joints, std::int32_t form,
                               const MatrixView& rotations,
                               const std::optional<MatrixView>& root_positions, double fps) {
-        std::vector<stltsa_joint> list;
-        for (const Joint& joint : joints) {
-            stltsa_joint each{};
-            each.size = sizeof each;
-            each.name = joint.name.c_str();
-            each.parent = joint.parent;
-            std::copy(joint.offset.begin(), joint.offset.end(), each.offset);
-            each.channels = joint.channels ? joint.channels->c_str() : nullptr;
-            each.is_end_site = joint.is_end_site ? 1 : 0;
-            list.push_back(each);
-        }
-        return detail::made<Clip>(stltsa_clip_from_skeleton, list.data(),
-                                  static_cast<std::int64_t>(list.size()), form, rotations.get(),
+        return detail::made<Clip>(stltsa_clip_from_skeleton, joints.data(), sizeof(Joint),
+                                  static_cast<std::int64_t>(joints.size()), form, rotations.get(),
                                   root_positions ? root_positions->get() : nullptr, fps);
     }
 
@@ -449,48 +460,24 @@ class Clip {
 
     std::int64_t frames() const noexcept { return stltsa_clip_frames(get()); }
     double fps() const noexcept { return stltsa_clip_fps(get()); }
-    std::int32_t format() const noexcept { return stltsa_clip_format(get()); }
-    std::int64_t channels() const noexcept { return stltsa_clip_channels(get()); }
-    std::int64_t joint_count() const noexcept { return stltsa_clip_joints(get()); }
-    Joint joint(std::int64_t index) const {
-        stltsa_joint found{};
-        found.size = sizeof found;
-        detail::check(stltsa_clip_joint(get(), index, &found));
-        Joint joint{found.name, found.parent, {}, {}, found.is_end_site != 0};
-        std::copy(found.offset, found.offset + 3, joint.offset.begin());
-        if (found.channels != nullptr)
-            joint.channels = found.channels;
-        return joint;
-    }
-    std::vector<Joint> joints() const {
-        return detail::list(joint_count(), [this](std::int64_t index) { return joint(index); });
-    }
+    std::vector<Joint> joints() const { return info().rows<Joint>(STLTSA_INFO_JOINT); }
     /// Events that the file states, in order of time.
-    std::vector<FileEvent> events() const {
-        return detail::list(stltsa_clip_event_count(get()), [this](std::int64_t index) {
-            stltsa_file_event found{};
-            found.size = sizeof found;
-            detail::check(stltsa_clip_event(get(), index, &found));
-            return FileEvent{found.label, found.context, found.frame, found.seconds};
-        });
-    }
-    Matrix positions() const {
-        return detail::matrix(stltsa_clip_positions, get(), frames(), 3 * joint_count());
-    }
-    Matrix rotations() const {
-        return detail::matrix(stltsa_clip_rotations, get(), frames(), 4 * joint_count());
-    }
+    std::vector<FileEvent> events() const { return info().rows<FileEvent>(STLTSA_INFO_FILE_EVENT); }
+    Matrix positions() const { return info().array(STLTSA_INFO_POSITIONS); }
+    Matrix rotations() const { return info().array(STLTSA_INFO_ROTATIONS); }
     std::int64_t feature_count(const Options& options = {}) const {
         return detail::got<std::int64_t>(stltsa_clip_feature_count, get(), options.get());
     }
     Matrix features(const Options& options = {}) const {
-        return detail::matrix(stltsa_clip_features, get(), frames(), feature_count(options),
-                              options.get());
+        Matrix values(frames(), feature_count(options));
+        const stltsa_out to = detail::out(values);
+        detail::check(stltsa_clip_features(get(), options.get(), &to));
+        return values;
     }
     Info info() const noexcept { return Info(stltsa_clip_info(get())); }
-    std::string json() const { return detail::json(stltsa_clip_json, get()); }
+    std::string json() const { return info().json(); }
     void save(const std::string& path, const Options& options = {}) const {
-        detail::check(stltsa_clip_save_with(get(), path.c_str(), options.get()));
+        detail::check(stltsa_clip_save(get(), path.c_str(), options.get()));
     }
 
     /// Frames [begin, end) of this clip, for synthesize(); the clip must outlive that call.
@@ -524,21 +511,19 @@ struct Poses {
     std::vector<std::int64_t> nearest;
 };
 
-class Model {
+class Model : public Result<stltsa_model, stltsa_model_free, stltsa_model_info> {
   public:
-    using Pointer = stltsa_model*;
+    using Result::Result;
     using Hints = std::span<const std::int64_t>; ///< empty: none
 
-    explicit Model(stltsa_model* owned) : handle_(owned) {}
-
-    static Model load(const std::string& path) {
-        return detail::made<Model>(stltsa_model_load, path.c_str());
+    static Model load(const std::string& path, const Options& options = {}) {
+        return detail::made<Model>(stltsa_model_load, path.c_str(), options.get());
     }
     static Model parse(std::span<const std::byte> bytes) {
         return detail::made<Model>(stltsa_model_parse, bytes.data(), bytes.size());
     }
-    void save(const std::string& path) const {
-        detail::check(stltsa_model_save(get(), path.c_str()));
+    void save(const std::string& path, const Options& options = {}) const {
+        detail::check(stltsa_model_save(get(), path.c_str(), options.get()));
     }
     std::vector<std::byte> serialize() const {
         unsigned char* bytes = nullptr;
@@ -549,29 +534,19 @@ class Model {
         return {all.begin(), all.end()};
     }
 
-    Matrix coords() const {
-        return detail::matrix(stltsa_model_coords, get(), info().integer(STLTSA_INFO_ROWS),
-                              info().integer(STLTSA_INFO_DIMENSION));
-    }
-    Matrix eigenvalues() const {
-        return detail::matrix(stltsa_model_eigenvalues, get(),
-                              info().integer(STLTSA_INFO_COMPONENTS),
-                              info().integer(STLTSA_INFO_DIMENSION) + 2);
+    Matrix coords() const { return info().array(STLTSA_INFO_COORDS); }
+    Matrix eigenvalues() const { return info().array(STLTSA_INFO_EIGENVALUES); }
+    std::vector<Component> components() const {
+        return info().rows<Component>(STLTSA_INFO_COMPONENT);
     }
     /// The component of each row.
-    std::vector<std::int64_t> components() const {
-        std::vector<std::int64_t> labels(
-            static_cast<std::size_t>(info().integer(STLTSA_INFO_ROWS)));
-        const stltsa_out out = detail::out(labels);
-        detail::check(stltsa_model_components(get(), &out));
-        return labels;
+    std::vector<std::int64_t> component_of() const {
+        std::vector<std::int64_t> rows(static_cast<std::size_t>(info().integer(STLTSA_INFO_ROWS)));
+        const stltsa_out out = detail::out(rows);
+        detail::check(
+            stltsa_info_array(stltsa_model_info(get()), STLTSA_INFO_COMPONENT_OF, 0, &out));
+        return rows;
     }
-    std::vector<std::string> warnings() const {
-        return detail::texts(stltsa_model_warning_count, stltsa_model_warning, get());
-    }
-    Info info() const noexcept { return Info(stltsa_model_info(get())); }
-    std::string json() const { return detail::json(stltsa_model_json, get()); }
-
     Mapped map(const MatrixView& frames, const Options& options = {}, Hints hints = {}) const {
         return mapped(stltsa_map, info().integer(STLTSA_INFO_DIMENSION), frames, options, hints);
     }
@@ -598,10 +573,8 @@ class Model {
                                options.get(), &distance, &nearest);
         return {std::move(clip), std::move(result.distance), std::move(result.nearest)};
     }
-    stltsa_model* get() noexcept { return handle_.get(); }
     /// For Live.
-    bool has_cycle() const noexcept { return stltsa_model_has_cycle(get()) != 0; }
-    const stltsa_model* get() const noexcept { return handle_.get(); }
+    bool has_cycle() const { return info().integer(STLTSA_INFO_HAS_CYCLE) != 0; }
 
   private:
     static Mapped room(std::int64_t rows, std::int64_t cols) {
@@ -619,8 +592,6 @@ class Model {
                            &distance, &nearest));
         return result;
     }
-
-    detail::Handle<stltsa_model, stltsa_model_free> handle_;
 };
 
 /// Frames of each clip, if several follow each other in a matrix; empty: one clip.
@@ -648,352 +619,101 @@ inline Model fit(const MatrixView& frames, const Options& options = {}, Lengths 
     return detail::made_of_rows<Model>(stltsa_fit, frames, options, lengths);
 }
 inline Model fit(const Clip& clip, const Options& options = {}) {
-    return detail::made<Model>(stltsa_fit_clip, clip.get(), options.get());
+    const stltsa_clip* const one = clip.get();
+    return detail::made<Model>(stltsa_fit_clips, &one, std::int64_t{1}, options.get());
 }
 /// Several clips, each prepared separately.
 inline Model fit(std::span<const Clip> clips, const Options& options = {}) {
     return detail::made_of_clips<Model>(stltsa_fit_clips, clips, options);
 }
 
-class Dimension {
+class Decomposition
+    : public Result<stltsa_decomposition, stltsa_decomposition_free, stltsa_decomposition_info> {
   public:
-    using Pointer = stltsa_dimension*;
-    struct Estimate {
-        std::int64_t dimension = 0; ///< 0: cannot tell
-        std::string reason;         ///< why not
-    };
+    using Result::Result;
 
-    explicit Dimension(stltsa_dimension* owned) : handle_(owned) {}
-
-    Estimate eigengap() const { return estimate(stltsa_dimension_eigengap); }
-    Estimate local_pca() const { return estimate(stltsa_dimension_local_pca); }
-    std::vector<double> eigenvalues() const {
-        return values(STLTSA_INFO_EIGENVALUE, stltsa_dimension_eigenvalues);
-    }
-    std::vector<double> local_variances() const {
-        return values(STLTSA_INFO_LOCAL_VARIANCE, stltsa_dimension_local_variances);
-    }
-    Info info() const noexcept { return Info(stltsa_dimension_info(get())); }
-    std::string json() const { return detail::json(stltsa_dimension_json, get()); }
-
-    const stltsa_dimension* get() const noexcept { return handle_.get(); }
-
-  private:
-    template <class Get>
-    Estimate estimate(Get of) const {
-        const char* reason = "";
-        const std::int64_t dimension = of(get(), &reason);
-        return {dimension, reason};
-    }
-    template <class Fill>
-    std::vector<double> values(std::int32_t key, Fill fill) const {
-        return detail::matrix(fill, get(), info().count(key), 1).values;
-    }
-
-    detail::Handle<stltsa_dimension, stltsa_dimension_free> handle_;
-};
-
-inline Dimension estimate_dimension(const MatrixView& frames, const Options& options = {},
-                                    Lengths lengths = {}) {
-    return detail::made_of_rows<Dimension>(stltsa_estimate_dimension, frames, options, lengths);
-}
-inline Dimension estimate_dimension(const Clip& clip, const Options& options = {}) {
-    return detail::made<Dimension>(stltsa_estimate_dimension_clip, clip.get(), options.get());
-}
-inline Dimension estimate_dimension(std::span<const Clip> clips, const Options& options = {}) {
-    return detail::made_of_clips<Dimension>(stltsa_estimate_dimension_clips, clips, options);
-}
-
-class Decomposition {
-  public:
-    using Pointer = stltsa_decomposition*;
-
-    explicit Decomposition(stltsa_decomposition* owned) : handle_(owned) {}
-
-    std::int64_t unit_count() const noexcept { return stltsa_decomposition_unit_count(get()); }
-    Interval unit(std::int64_t index) const {
-        return detail::got<Interval>(stltsa_decomposition_unit, get(), index);
-    }
-    std::vector<Interval> units() const {
-        return detail::list(unit_count(), [this](std::int64_t index) { return unit(index); });
-    }
-    std::int64_t segment_count() const noexcept {
-        return stltsa_decomposition_segment_count(get());
-    }
-    Segment segment(std::int64_t index) const {
-        return detail::got<Segment>(stltsa_decomposition_segment, get(), index);
-    }
-    std::vector<Segment> segments() const {
-        return detail::list(segment_count(), [this](std::int64_t index) { return segment(index); });
-    }
-    /// Why the segment has no cycles; empty if it has.
-    std::string segment_reason(std::int64_t index) const {
-        return stltsa_decomposition_segment_reason(get(), index);
-    }
-    /// How similar the segments of two labels are, 0 to 1, or NaN; see
-    /// stltsa_decomposition_label_likeness(). Throws if a label is out of range.
-    double label_likeness(std::int32_t label, std::int32_t other) const {
-        double found = 0;
-        detail::check(stltsa_decomposition_label_likeness(get(), label, other, &found));
-        return found;
-    }
-    /// Share of a cycle of the segment that the first step takes, and how far its 95 % interval
-    /// reaches to each side; NaN: see stltsa_decomposition_first_step().
-    std::pair<double, double> first_step(std::int64_t segment) const {
-        std::pair<double, double> found;
-        detail::check(stltsa_decomposition_first_step(get(), segment, &found.first, &found.second));
-        return found;
-    }
-    /// Why the cycles of the segment have no steps; empty if they have.
-    std::string steps_reason(std::int64_t segment) const {
-        return stltsa_decomposition_steps_reason(get(), segment);
-    }
-    /// STLTSA_SIDE_* of side 0 or 1 of cycles and steps.
-    std::int32_t side(std::int32_t of) const { return stltsa_decomposition_side(get(), of); }
-    /// What moves in the segment, most first.
-    std::vector<std::string> carriers(std::int64_t segment) const {
-        return detail::list(stltsa_decomposition_carrier_count(get(), segment),
-                            [this, segment](std::int64_t index) {
-                                return std::string(
-                                    stltsa_decomposition_carrier(get(), segment, index));
-                            });
-    }
-    std::int64_t part_count(std::int32_t kind) const noexcept {
-        return stltsa_decomposition_part_count(get(), kind);
-    }
-    Part part(std::int32_t kind, std::int64_t index) const {
-        return detail::got<Part>(stltsa_decomposition_part, get(), kind, index);
-    }
-    /// STLTSA_PART_*
-    std::vector<Part> parts(std::int32_t kind) const {
-        return detail::list(part_count(kind),
-                            [this, kind](std::int64_t index) { return part(kind, index); });
-    }
-    /// How the body travels during a part.
-    Travel travel(std::int32_t kind, std::int64_t index) const {
-        return detail::got<Travel>(stltsa_decomposition_travel, get(), kind, index);
-    }
-    /// STLTSA_PART_*, STLTSA_QUANTITY_*; side -1: both.
-    Statistics statistics(std::int32_t kind, std::int32_t label, std::int32_t side,
+    std::vector<Segment> segments() const { return info().rows<Segment>(STLTSA_INFO_SEGMENT); }
+    std::vector<Unit> units() const { return info().rows<Unit>(STLTSA_INFO_UNIT); }
+    std::vector<Part> cycles() const { return info().rows<Part>(STLTSA_INFO_CYCLE); }
+    std::vector<Part> steps() const { return info().rows<Part>(STLTSA_INFO_STEP); }
+    std::vector<Part> repetitions() const { return info().rows<Part>(STLTSA_INFO_REPETITION); }
+    std::vector<Summary> summaries() const { return info().rows<Summary>(STLTSA_INFO_SUMMARY); }
+    /// kind: STLTSA_INFO_CYCLE, _STEP or _REPETITION; STLTSA_QUANTITY_*; side -1: both.
+    Statistics statistics(std::int32_t kind, std::int64_t label, std::int32_t side,
                           std::int32_t quantity) const {
         return detail::got<Statistics>(stltsa_decomposition_statistics, get(), kind, label, side,
                                        quantity);
     }
-    std::int64_t summary_count() const noexcept {
-        return stltsa_decomposition_summary_count(get());
-    }
-    Summary summary(std::int64_t index) const {
-        return detail::got<Summary>(stltsa_decomposition_summary, get(), index);
-    }
-    std::vector<Summary> summaries() const {
-        return detail::list(summary_count(), [this](std::int64_t index) { return summary(index); });
-    }
-    std::int64_t cycle_count() const noexcept { return stltsa_decomposition_cycle_count(get()); }
-    Interval cycle(std::int64_t index) const {
-        return detail::got<Interval>(stltsa_decomposition_cycle, get(), index);
-    }
-    std::vector<Interval> cycles() const {
-        return detail::list(cycle_count(), [this](std::int64_t index) { return cycle(index); });
-    }
+    /// Labels x labels; see STLTSA_INFO_LABEL_LIKENESS.
+    Matrix label_likeness() const { return info().array(STLTSA_INFO_LABEL_LIKENESS); }
+    /// Samples x 1, samples x 2.
+    Matrix curve() const { return info().array(STLTSA_INFO_CURVE); }
+    Matrix coords() const { return info().array(STLTSA_INFO_COORDS); }
+    std::string reason() const { return info().text(STLTSA_INFO_REASON); }
     /// Writes a report of the clip that was decomposed. `options`: those of stltsa::decompose().
     /// `command`: the command or call that makes the report again; empty: unknown.
     void save_report(const Clip& clip, const std::string& path, const std::string& command = {},
                      const Options& options = {}) const {
         detail::check(stltsa_report_save(clip.get(), get(), options.get(),
-                                         command.empty() ? nullptr : command.c_str(),
-                                         path.c_str()));
+                                         detail::text_or_null(command), path.c_str()));
     }
-    Matrix curve() const { return samples(stltsa_decomposition_curve, 1); }
-    Matrix coords() const { return samples(stltsa_decomposition_coords, 2); }
-    Matrix loop() const { return samples(stltsa_decomposition_loop, 2); }
-    std::string reason() const { return stltsa_decomposition_reason(get()); }
-    std::vector<std::string> warnings() const {
-        return detail::texts(stltsa_decomposition_warning_count, stltsa_decomposition_warning,
-                             get());
-    }
-    Info info() const noexcept { return Info(stltsa_decomposition_info(get())); }
-    std::string json() const { return detail::json(stltsa_decomposition_json, get()); }
-
-    const stltsa_decomposition* get() const noexcept { return handle_.get(); }
-
-  private:
-    template <class Fill>
-    Matrix samples(Fill fill, std::int64_t cols) const {
-        return detail::matrix(fill, get(), info().integer(STLTSA_INFO_ROWS), cols);
-    }
-
-    detail::Handle<stltsa_decomposition, stltsa_decomposition_free> handle_;
 };
 
 inline Decomposition decompose(const Clip& clip, const Options& options = {}) {
     return detail::made<Decomposition>(stltsa_decompose, clip.get(), options.get());
 }
 
-/// The side that the name of an event, a joint or a signal states, STLTSA_SIDE_*.
-inline std::int32_t side_of_name(const std::string& name) noexcept {
-    return stltsa_side_of_name(name.c_str());
-}
-
 /// The cycles of two motions, aligned by phase. `which`: 0 for the first motion, 1 for the second.
-class Comparison {
+class Comparison
+    : public Result<stltsa_comparison, stltsa_comparison_free, stltsa_comparison_info> {
   public:
-    using Pointer = stltsa_comparison*;
+    using Result::Result;
 
-    explicit Comparison(stltsa_comparison* owned) : handle_(owned) {}
-
-    ComparedCycles cycles() const {
-        ComparedCycles cycles{};
-        cycles.size = sizeof cycles;
-        detail::check(stltsa_comparison_cycles(get(), &cycles));
-        return cycles;
+    Compared whole() const { return info().rows<Compared>(STLTSA_INFO_COMPARISON).at(0); }
+    ComparedMotion motion(std::int32_t which) const {
+        return info().rows<ComparedMotion>(STLTSA_INFO_MOTION).at(static_cast<std::size_t>(which));
     }
-    /// Joints, points or columns of the file.
-    std::int64_t part_count() const noexcept { return stltsa_comparison_part_count(get()); }
-    ComparedPart part(std::int64_t index) const {
-        ComparedPart part{};
-        part.size = sizeof part;
-        detail::check(stltsa_comparison_part(get(), index, &part));
-        return part;
-    }
-    std::vector<ComparedPart> parts() const {
-        return detail::list(part_count(), [this](std::int64_t index) { return part(index); });
-    }
-    std::string part_name(std::int32_t which, std::int64_t index) const {
-        return stltsa_comparison_part_name(get(), which, index);
-    }
-    /// Coordinates of the parts.
-    std::int64_t channel_count() const noexcept { return stltsa_comparison_channel_count(get()); }
-    ComparedPart channel(std::int64_t index) const {
-        ComparedPart channel{};
-        channel.size = sizeof channel;
-        detail::check(stltsa_comparison_channel(get(), index, &channel));
-        return channel;
-    }
+    /// Joints, points or columns of the file; and their coordinates.
+    std::vector<ComparedPart> parts() const { return info().rows<ComparedPart>(STLTSA_INFO_PART); }
     std::vector<ComparedPart> channels() const {
-        return detail::list(channel_count(), [this](std::int64_t index) { return channel(index); });
-    }
-    /// Empty for the only channel of a part.
-    std::string channel_axis(std::int64_t index) const {
-        return stltsa_comparison_channel_axis(get(), index);
+        return info().rows<ComparedPart>(STLTSA_INFO_PART_CHANNEL);
     }
     /// Mean cycle and standard deviation between cycles, samples x channels.
-    Matrix mean(std::int32_t which) const {
-        return samples_by_channels([&](const stltsa_out* to) {
-            return stltsa_comparison_curves(get(), which, to, nullptr);
-        });
-    }
+    Matrix mean(std::int32_t which) const { return info().array(STLTSA_INFO_MEAN, which); }
     Matrix deviation(std::int32_t which) const {
-        return samples_by_channels([&](const stltsa_out* to) {
-            return stltsa_comparison_curves(get(), which, nullptr, to);
-        });
+        return info().array(STLTSA_INFO_DEVIATION, which);
     }
-    /// Second minus first, samples x channels.
-    Matrix difference() const {
-        return samples_by_channels([&](const stltsa_out* to) {
-            return stltsa_comparison_difference(get(), to, nullptr, nullptr);
-        });
-    }
-    Matrix standard_error() const {
-        return samples_by_channels([&](const stltsa_out* to) {
-            return stltsa_comparison_difference(get(), nullptr, to, nullptr);
-        });
-    }
-    /// Half the width of the interval at each sample.
-    Matrix margin() const {
-        return samples_by_channels([&](const stltsa_out* to) {
-            return stltsa_comparison_difference(get(), nullptr, nullptr, to);
-        });
-    }
-    /// Names in this clip that the other one lacks.
-    std::vector<std::string> left_out(std::int32_t which) const {
-        std::vector<std::string> names;
-        for (std::int64_t i = 0; i < stltsa_comparison_left_out_count(get(), which); ++i)
-            names.emplace_back(stltsa_comparison_left_out(get(), which, i));
-        return names;
-    }
-    std::vector<std::string> warnings() const {
-        return detail::texts(stltsa_comparison_warning_count, stltsa_comparison_warning, get());
-    }
+    /// Second minus first, samples x channels; its standard error, and half the width of its
+    /// interval at each sample.
+    Matrix difference() const { return info().array(STLTSA_INFO_DIFFERENCE); }
+    Matrix standard_error() const { return info().array(STLTSA_INFO_STANDARD_ERROR); }
+    Matrix margin() const { return info().array(STLTSA_INFO_MARGIN); }
     /// Writes a report: one HTML page. `command`: which repeats it; empty: unknown.
-    void save_report(const std::string& path, const std::string& command = {}) const {
-        detail::check(stltsa_comparison_report_save(
-            get(), command.empty() ? nullptr : command.c_str(), path.c_str()));
+    void save_report(const std::string& path, const std::string& command = {},
+                     const Options& options = {}) const {
+        detail::check(stltsa_comparison_report_save(get(), options.get(),
+                                                    detail::text_or_null(command), path.c_str()));
     }
-    std::string json() const { return detail::json(stltsa_comparison_json, get()); }
-
-    const stltsa_comparison* get() const noexcept { return handle_.get(); }
-
-  private:
-    template <class Write>
-    Matrix samples_by_channels(Write write) const {
-        Matrix values(cycles().samples, channel_count());
-        const stltsa_out to = detail::out(values);
-        detail::check(write(&to));
-        return values;
-    }
-
-    detail::Handle<stltsa_comparison, stltsa_comparison_free> handle_;
 };
 
 /// Signals on 0 to 100 % of each cycle.
-class Cycles {
+class Cycles : public Result<stltsa_cycles, stltsa_cycles_free, stltsa_cycles_info> {
   public:
-    using Pointer = stltsa_cycles*;
+    using Result::Result;
 
-    Cycles(stltsa_cycles* owned, std::int64_t samples, std::int64_t columns)
-        : handle_(owned), samples_(samples), columns_(columns) {}
-
-    std::int64_t count() const noexcept { return stltsa_cycles_count(get()); }
-    /// samples x columns
-    Matrix mean() const {
-        Matrix mean(samples_, columns_);
-        const stltsa_out to = detail::out(mean);
-        detail::check(stltsa_cycles_mean(get(), &to, nullptr));
-        return mean;
-    }
-    /// Standard deviation, samples x columns.
-    Matrix deviation() const {
-        Matrix deviation(samples_, columns_);
-        const stltsa_out to = detail::out(deviation);
-        detail::check(stltsa_cycles_mean(get(), nullptr, &to));
-        return deviation;
-    }
-    /// samples x columns
-    Matrix cycle(std::int64_t index) const {
-        Matrix values(samples_, columns_);
-        const stltsa_out to = detail::out(values);
-        detail::check(stltsa_cycles_cycle(get(), index, &to));
-        return values;
-    }
+    std::int64_t count() const noexcept { return info().count(STLTSA_INFO_VALUES); }
+    /// These three are samples x columns.
+    Matrix mean() const { return info().array(STLTSA_INFO_MEAN); }
+    Matrix deviation() const { return info().array(STLTSA_INFO_DEVIATION); }
+    Matrix cycle(std::int64_t index) const { return info().array(STLTSA_INFO_VALUES, index); }
     /// The frame of each sample, cycles x samples.
-    Matrix frames() const {
-        Matrix frames(count(), samples_);
-        const stltsa_out to = detail::out(frames);
-        detail::check(stltsa_cycles_times(get(), &to, nullptr));
-        return frames;
-    }
+    Matrix frames() const { return info().array(STLTSA_INFO_SAMPLE_FRAMES); }
     /// How much later each sample is than in linear time, as a share of the cycle.
-    Matrix warp() const {
-        Matrix warp(count(), samples_);
-        const stltsa_out to = detail::out(warp);
-        detail::check(stltsa_cycles_times(get(), nullptr, &to));
-        return warp;
-    }
+    Matrix warp() const { return info().array(STLTSA_INFO_WARP); }
     /// Of each cycle, as a share of the deviation along the mean cycle.
-    std::vector<double> distance() const {
-        std::vector<double> total(static_cast<std::size_t>(count()));
-        const stltsa_out to = detail::out(total);
-        detail::check(stltsa_cycles_distance(get(), &to, nullptr));
-        return total;
-    }
+    std::vector<double> distance() const { return info().array(STLTSA_INFO_DISTANCE).values; }
     /// The same for each column, in its unit: cycles x columns.
-    Matrix column_distance() const {
-        Matrix columns(count(), columns_);
-        const stltsa_out to = detail::out(columns);
-        detail::check(stltsa_cycles_distance(get(), nullptr, &to));
-        return columns;
-    }
-
+    Matrix column_distance() const { return info().array(STLTSA_INFO_COLUMN_DISTANCE); }
     /// The same for groups of columns: `groups` has that of each column, -1 for none.
     Matrix group_distance(const std::vector<std::int64_t>& groups) const {
         std::int64_t most = -1;
@@ -1009,9 +729,10 @@ class Cycles {
     /// frames per second; 0: unknown, so that times are NaN.
     Comparison compare_left_right(const std::vector<std::string>& names, double fps = 0,
                                   const Options& options = {}) const {
-        if (static_cast<std::int64_t>(names.size()) != columns_)
+        if (const std::int64_t columns = mean().cols;
+            static_cast<std::int64_t>(names.size()) != columns)
             throw Error(STLTSA_E_SHAPE, "names has " + std::to_string(names.size()) +
-                                            " entries; there are " + std::to_string(columns_) +
+                                            " entries; there are " + std::to_string(columns) +
                                             " columns");
         std::vector<const char*> texts;
         for (const std::string& name : names)
@@ -1019,135 +740,84 @@ class Cycles {
         return detail::made<Comparison>(stltsa_cycles_compare_left_right, get(), texts.data(), fps,
                                         options.get());
     }
-
-    const stltsa_cycles* get() const noexcept { return handle_.get(); }
-
-  private:
-    detail::Handle<stltsa_cycles, stltsa_cycles_free> handle_;
-    std::int64_t samples_, columns_;
 };
 
 /// Moments that were marked once, wherever they come again.
-class Events {
+class Events : public Result<stltsa_events, stltsa_events_free, stltsa_events_info> {
   public:
-    using Pointer = stltsa_events*;
+    using Result::Result;
 
-    explicit Events(stltsa_events* owned) : handle_(owned) {}
-
-    std::int64_t count() const noexcept { return stltsa_events_count(get()); }
-    Event event(std::int64_t index) const {
-        Event event{};
-        event.size = sizeof event;
-        detail::check(stltsa_events_event(get(), index, &event));
-        return event;
-    }
-    std::vector<Event> all() const {
-        return detail::list(count(), [this](std::int64_t index) { return event(index); });
-    }
-    double likeness() const noexcept { return stltsa_events_likeness(get()); }
-    std::vector<std::string> warnings() const {
-        return detail::texts(stltsa_events_warning_count, stltsa_events_warning, get());
-    }
-
-    const stltsa_events* get() const noexcept { return handle_.get(); }
-
-  private:
-    detail::Handle<stltsa_events, stltsa_events_free> handle_;
+    std::vector<Event> all() const { return info().rows<Event>(STLTSA_INFO_EVENT); }
+    double likeness() const { return info().real(STLTSA_INFO_LIKENESS); }
 };
 
 /// A phase for every frame of the cycles of a clip.
-class Phase {
+class Phase : public Result<stltsa_phase, stltsa_phase_free, stltsa_phase_info> {
   public:
-    using Pointer = stltsa_phase*;
-
-    Phase(stltsa_phase* owned, std::int64_t frames) : handle_(owned), frames_(frames) {}
+    using Result::Result;
 
     /// Of each frame, in [0, 1); NaN outside cycles.
-    std::vector<double> values() const {
-        std::vector<double> values(static_cast<std::size_t>(frames_));
-        const stltsa_out to = detail::out(values);
-        detail::check(stltsa_phase_values(get(), &to, nullptr, nullptr));
-        return values;
-    }
+    std::vector<double> values() const { return info().array(STLTSA_INFO_PHASE).values; }
     std::vector<double> residuals() const {
-        std::vector<double> residuals(static_cast<std::size_t>(frames_));
-        const stltsa_out to = detail::out(residuals);
-        detail::check(stltsa_phase_values(get(), nullptr, &to, nullptr));
-        return residuals;
+        return info().array(STLTSA_INFO_PHASE_RESIDUAL).values;
     }
     /// Index of the cycle of each frame; -1 outside cycles.
     std::vector<std::int64_t> cycles() const {
-        std::vector<std::int64_t> cycles(static_cast<std::size_t>(frames_));
-        const stltsa_out to = detail::out(cycles);
-        detail::check(stltsa_phase_values(get(), nullptr, nullptr, &to));
-        return cycles;
+        const Matrix found = info().array(STLTSA_INFO_PHASE_CYCLE);
+        return {found.values.begin(), found.values.end()};
     }
-    std::vector<std::string> warnings() const {
-        return detail::texts(stltsa_phase_warning_count, stltsa_phase_warning, get());
-    }
-    /// Where the body is at the same place in every clip; `label`: 0 for A.
-    double zero(std::int32_t label) const {
-        double zero = 0;
-        detail::check(stltsa_phase_zero(get(), label, &zero));
-        return zero;
-    }
+    /// Of each label: where the body is at the same place in every clip.
+    std::vector<double> zeros() const { return info().reals(STLTSA_INFO_PHASE_ZERO); }
     /// The joint, point or column of the file that each column of the features belongs to.
-    std::vector<std::string> column_owners() const {
-        return detail::texts(stltsa_phase_column_count, stltsa_phase_column_owner, get());
-    }
+    std::vector<std::string> column_owners() const { return info().texts(STLTSA_INFO_OWNER); }
     /// The event at marked frames, in every cycle of the clip.
     Events events(const std::vector<double>& marks) const { return events(marks, *this); }
     /// The same in another clip.
     Events events(const std::vector<double>& marks, const Phase& in,
                   const Options& options = {}) const {
         const MatrixView at(marks, 1);
-        stltsa_events* events = nullptr;
-        detail::check(stltsa_events_find_with(get(), at.get(), in.get(), options.get(), &events));
-        return Events(events);
+        return detail::made<Events>(stltsa_events_find, get(), at.get(), in.get(), options.get());
     }
     /// `label`: of the segments, 0 for A.
-    Cycles resample(std::int32_t label, const MatrixView& signals,
-                    std::int64_t samples = 101) const {
-        stltsa_cycles* cycles = nullptr;
-        detail::check(stltsa_cycles_resample(get(), label, signals.get(), samples, &cycles));
-        return {cycles, samples, signals.get()->cols};
+    Cycles resample(std::int64_t label, const MatrixView& signals, std::int64_t samples = 101,
+                    const Options& options = {}) const {
+        return detail::made<Cycles>(stltsa_cycles_resample, get(), label, signals.get(), samples,
+                                    options.get());
     }
-
     /// Compares a cyclic motion of this clip with one of another. Labels: of the segments, 0 for A;
     /// -1: the longest such motion here, and there the one most like it.
-    Comparison compare(const Phase& second, std::int32_t label = -1, std::int32_t second_label = -1,
+    Comparison compare(const Phase& second, std::int64_t label = -1, std::int64_t second_label = -1,
                        std::int64_t samples = 101, const Options& options = {}) const {
-        stltsa_comparison* comparison = nullptr;
-        detail::check(stltsa_compare_with(get(), label, second.get(), second_label, samples,
-                                          options.get(), &comparison));
-        return Comparison(comparison);
+        return detail::made<Comparison>(stltsa_compare, get(), label, second.get(), second_label,
+                                        samples, options.get());
     }
     /// Compares left with right. `clip`: the clip that the phase was found in.
-    Comparison compare_left_right(const Clip& clip, std::int32_t label = -1,
+    Comparison compare_left_right(const Clip& clip, std::int64_t label = -1,
                                   const Options& options = {}, std::int64_t samples = 101) const {
-        stltsa_comparison* comparison = nullptr;
-        detail::check(stltsa_compare_left_right(clip.get(), get(), label, samples, options.get(),
-                                                &comparison));
-        return Comparison(comparison);
+        return detail::made<Comparison>(stltsa_compare_left_right, clip.get(), get(), label,
+                                        samples, options.get());
     }
-
-    const stltsa_phase* get() const noexcept { return handle_.get(); }
-
-  private:
-    detail::Handle<stltsa_phase, stltsa_phase_free> handle_;
-    std::int64_t frames_;
 };
 
+/// Found by the first call, and kept by the decomposition. `options`: progress.
+inline Phase find_phase(const Decomposition& decomposition, const Options& options = {}) {
+    return detail::made<Phase>(stltsa_phase_find, decomposition.get(), options.get());
+}
+/// Linear in time between the borders.
+inline Cycles cycles_between(const std::vector<double>& borders, const MatrixView& signals,
+                             std::int64_t samples = 101, const Options& options = {}) {
+    const MatrixView at(borders, 1);
+    return detail::made<Cycles>(stltsa_cycles_between, at.get(), signals.get(), samples,
+                                options.get());
+}
+
 /// Follows one stream of frames.
-class Live {
+class Live : public Result<stltsa_live, stltsa_live_free, stltsa_live_info> {
   public:
-    using Pointer = stltsa_live*;
+    explicit Live(const Model& model)
+        : Result(detail::got<stltsa_live*>(stltsa_live_new, model.get())) {}
 
-    explicit Live(const Model& model) : handle_(made(model)) {}
-
-    std::vector<std::string> marks() const {
-        return detail::texts(stltsa_live_mark_count, stltsa_live_mark_name, get());
-    }
+    std::vector<std::string> marks() const { return info().texts(STLTSA_INFO_MARK); }
     LiveFrame push(double seconds, const MatrixView& features) {
         return answer(stltsa_live_push, seconds, features.get());
     }
@@ -1171,72 +841,36 @@ class Live {
         return answer(stltsa_live_push_frame, seconds, clip.get(), index);
     }
 
-    const stltsa_live* get() const noexcept { return handle_.get(); }
-
   private:
     template <class Push, class... Frame>
     LiveFrame answer(Push call, double seconds, Frame... given) {
         LiveFrame frame{};
         frame.size = sizeof frame;
-        detail::check(call(handle_.get(), seconds, given..., &frame));
+        detail::check(call(get(), seconds, given..., &frame));
         return frame;
     }
-    static stltsa_live* made(const Model& model) {
-        stltsa_live* live = nullptr;
-        detail::check(stltsa_live_new(model.get(), &live));
-        return live;
-    }
-
-    detail::Handle<stltsa_live, stltsa_live_free> handle_;
 };
 
 /// Keeps the mean cycle in the model, for Live.
-inline void keep_cycle(Model& model, const Phase& phase) {
-    detail::check(stltsa_model_keep_cycle(model.get(), phase.get()));
+inline void keep_cycle(Model& model, const Phase& phase, const Options& options = {}) {
+    detail::check(stltsa_model_keep_cycle(model.get(), phase.get(), options.get()));
 }
 /// Names the phase of a frame.
 inline void keep_mark(Model& model, const Phase& phase, double frame, const std::string& name) {
     detail::check(stltsa_model_keep_mark(model.get(), phase.get(), frame, name.c_str()));
 }
 
-/// Found by the first call, and kept by the decomposition. `options`: progress.
-inline Phase find_phase(const Decomposition& decomposition, const Options& options = {}) {
-    stltsa_phase* phase = nullptr;
-    detail::check(stltsa_phase_find(decomposition.get(), options.get(), &phase));
-    return {phase, decomposition.info().integer(STLTSA_INFO_CLIP_FRAMES)};
-}
-
-/// Linear in time between the borders.
-inline Cycles cycles_between(const std::vector<double>& borders, const MatrixView& signals,
-                             std::int64_t samples = 101) {
-    const MatrixView at(borders, 1);
-    stltsa_cycles* cycles = nullptr;
-    detail::check(stltsa_cycles_between(at.get(), signals.get(), samples, &cycles));
-    return {cycles, samples, signals.get()->cols};
-}
-
-class Denoising {
+class Denoising : public Result<stltsa_denoising, stltsa_denoising_free, stltsa_denoising_info> {
   public:
-    using Pointer = stltsa_denoising*;
+    using Result::Result;
 
-    explicit Denoising(stltsa_denoising* owned) : handle_(owned) {}
-
-    Matrix curve() const { return table(stltsa_denoising_curve); }
-    Matrix cleaned() const { return table(stltsa_denoising_cleaned); }
-    Matrix moves() const { return table(stltsa_denoising_moves); }
-    Info info() const noexcept { return Info(stltsa_denoising_info(get())); }
-    std::string json() const { return detail::json(stltsa_denoising_json, get()); }
-
-    const stltsa_denoising* get() const noexcept { return handle_.get(); }
-
-  private:
-    template <class Fill>
-    Matrix table(Fill fill) const {
-        return detail::matrix(fill, get(), info().integer(STLTSA_INFO_ROWS),
-                              info().integer(STLTSA_INFO_COLUMNS));
+    std::vector<DenoisedColumn> columns() const {
+        return info().rows<DenoisedColumn>(STLTSA_INFO_COLUMN);
     }
-
-    detail::Handle<stltsa_denoising, stltsa_denoising_free> handle_;
+    /// Rows x columns.
+    Matrix curve() const { return info().array(STLTSA_INFO_CURVE); }
+    Matrix cleaned() const { return info().array(STLTSA_INFO_CLEANED); }
+    Matrix moves() const { return info().array(STLTSA_INFO_MOVES); }
 };
 
 inline Denoising denoise(const MatrixView& coords, const Options& options = {},
@@ -1247,35 +881,16 @@ inline Denoising denoise(const Model& model, const Options& options = {}) {
     return detail::made<Denoising>(stltsa_denoise_model, model.get(), options.get());
 }
 
-class Synthesis {
+class Synthesis : public Result<stltsa_synthesis, stltsa_synthesis_free, stltsa_synthesis_info> {
   public:
-    using Pointer = stltsa_synthesis*;
-
     explicit Synthesis(stltsa_synthesis* owned)
-        : handle_(owned), clip_(stltsa_synthesis_clip(owned)) {}
+        : Result(owned), clip_(stltsa_synthesis_clip(owned)) {}
 
     /// The new clip; valid as long as this object.
     const Clip& clip() const noexcept { return clip_; }
-    std::int64_t seam_count() const noexcept { return stltsa_synthesis_seam_count(get()); }
-    Seam seam(std::int64_t index) const {
-        Seam seam{};
-        seam.size = sizeof seam;
-        detail::check(stltsa_synthesis_seam(get(), index, &seam));
-        return seam;
-    }
-    std::vector<Seam> seams() const {
-        return detail::list(seam_count(), [this](std::int64_t index) { return seam(index); });
-    }
-    std::vector<std::string> warnings() const {
-        return detail::texts(stltsa_synthesis_warning_count, stltsa_synthesis_warning, get());
-    }
-    Info info() const noexcept { return Info(stltsa_synthesis_info(get())); }
-    std::string json() const { return detail::json(stltsa_synthesis_json, get()); }
-
-    const stltsa_synthesis* get() const noexcept { return handle_.get(); }
+    std::vector<Seam> seams() const { return info().rows<Seam>(STLTSA_INFO_SEAM); }
 
   private:
-    detail::Handle<stltsa_synthesis, stltsa_synthesis_free> handle_;
     Clip clip_;
 };
 
