@@ -1053,8 +1053,9 @@ stltsa_decomposition_info(const stltsa_decomposition *decomposition) STLTSA_NOEX
  * _REPETITION), label and side (-1: of both). Parts whose quantity is unknown are left out. */
 STLTSA_API stltsa_status
 stltsa_decomposition_statistics(const stltsa_decomposition *decomposition, int32_t kind,
-                                int32_t label, int32_t side, int32_t quantity,
+                                int64_t label, int32_t side, int32_t quantity,
                                 stltsa_statistics *statistics) STLTSA_NOEXCEPT;
+
 /* ---- Mapping in both directions (section 2.4) ----------------------------------------- */
 
 /* Maps new frames onto the curve. Near each frame of the model the map is linear, as LTSA assumes,
