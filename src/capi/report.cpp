@@ -57,7 +57,7 @@ stltsa_status stltsa_comparison_report_save(const stltsa_comparison* comparison,
                                             const char* path) noexcept {
     return guard([&] {
         const std::string place = &required(path, "path");
-        const results::Comparison& of = required(comparison, "comparison");
+        const stltsa_comparison& of = required(comparison, "comparison");
         const capi::OptionsReader reader(options);
         const Progress progress = reader.progress();
         const std::string page = report::comparison_page(of, capi::comparison_json(of),

@@ -34,7 +34,7 @@ std::int32_t calls_of(Command command) {
     case Command::unmap:
         return STLTSA_CALL_UNMAP;
     case Command::dimension:
-        return STLTSA_CALL_OPEN | STLTSA_CALL_DIMENSION;
+        return STLTSA_CALL_OPEN | STLTSA_CALL_FIT;
     case Command::decompose:
     case Command::batch:
     case Command::compare:

@@ -3,6 +3,8 @@
 
 #include <sstream>
 
+#include "base/names.hpp"
+
 namespace tool {
 
 Choices choices_in(const std::string& text) {
@@ -17,10 +19,8 @@ Choices choices_in(const std::string& text) {
 
 std::vector<std::string> unit_names() {
     std::vector<std::string> names;
-    const std::string no_kind = stltsa::unit_name(0);
-    for (std::int32_t kind = 1; stltsa::unit_name(kind) != no_kind; ++kind)
-        if (kind != STLTSA_UNIT_CYCLE)
-            names.push_back(stltsa::unit_name(kind));
+    for (const stltsa::KindName& row : stltsa::unit_kinds)
+        names.emplace_back(row.name);
     return names;
 }
 

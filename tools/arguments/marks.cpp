@@ -134,7 +134,7 @@ Marks labels_in(const std::string& table, const std::string& path, const std::st
 }
 
 std::string name_of(const stltsa::FileEvent& event) {
-    return event.context.empty() ? event.label : event.context + ' ' + event.label;
+    return *event.context == '\0' ? event.label : fmt::format("{} {}", event.context, event.label);
 }
 
 Marks labels_in(const std::vector<stltsa::FileEvent>& events, const std::string& path,

@@ -139,11 +139,11 @@ class Work {
     stltsa::Clip open(const std::string& path, stltsa::Options& options) const {
         const auto fps = arguments_.options.find(STLTSA_OPT_FPS);
         options.unset(STLTSA_OPT_FPS);
-        stltsa::Clip clip = stltsa::Clip::open(path, options);
+        stltsa::Clip clip = stltsa::Clip::open_stretch(path, options);
         if (clip.fps() > 0 || fps == arguments_.options.end())
             return clip;
         set_options(options, {*fps});
-        return stltsa::Clip::open(path, options);
+        return stltsa::Clip::open_stretch(path, options);
     }
 
     static void write(const std::string& place, const std::string& text) {

@@ -6,6 +6,7 @@
 #include "commands/session.hpp"
 #include "exit_status.hpp"
 #include "reports/comparison.hpp"
+#include "reports/table.hpp"
 
 namespace tool {
 namespace {
@@ -15,7 +16,7 @@ constexpr std::int64_t samples = 101; // of each cycle
 /// The phase of a clip with cycles.
 stltsa::Phase phase_of(const Session& session, const std::string& path, const stltsa::Clip& clip) {
     const stltsa::Decomposition found = stltsa::decompose(clip, session.options());
-    if (found.cycle_count() == 0)
+    if (found.cycles().empty())
         throw Failure(Exit::untrustworthy,
                       fmt::format("{}: there are no cycles to compare{}{}", path,
                                   found.reason().empty() ? "" : ": ", found.reason()));
@@ -58,7 +59,7 @@ Exit run_compare(const Arguments& arguments) {
     session.finish(
         {[&] { return comparison.json(); },
          [&] { return comparison_report(comparison, session.title(), Session::title_of(other)); },
-         comparison.warnings(), [&] { return comparison_csv(comparison); }});
+         texts_of(comparison.warnings()), [&] { return comparison_csv(comparison); }});
     return Exit::done;
 }
 

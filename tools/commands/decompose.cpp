@@ -11,6 +11,7 @@
 #include "reports/json.hpp"
 #include "reports/report.hpp"
 #include "reports/sides.hpp"
+#include "reports/table.hpp"
 
 namespace tool {
 namespace {
@@ -19,7 +20,7 @@ namespace {
 std::string json_with_samples(const stltsa::Decomposition& found) {
     return with_member(found.json(), "curve",
                        JsonObject("frames", json_frames(found.info()), "values",
-                                  found.curve().values, "loop", json_rows(found.loop())));
+                                  found.curve().values, "loop", json_rows(found.coords())));
 }
 
 /// frame, seconds, segment, cycle, phase, residual of every frame; NaN outside cycles.
@@ -28,8 +29,9 @@ stltsa::Matrix phase_table(const stltsa::Clip& clip, const stltsa::Decomposition
     const std::vector<double> values = phase.values(), residuals = phase.residuals();
     const std::vector<std::int64_t> cycles = phase.cycles();
     stltsa::Matrix table(clip.frames(), 6);
-    for (std::int64_t s = 0; s < found.segment_count(); ++s) {
-        const stltsa::Segment segment = found.segment(s);
+    const std::vector<stltsa::Segment> segments = found.segments();
+    for (std::size_t s = 0; s < segments.size(); ++s) {
+        const stltsa::Segment& segment = segments[s];
         for (std::int64_t frame = segment.begin; frame < segment.end; ++frame) {
             const auto at = static_cast<std::size_t>(frame);
             const double cycle = cycles[at] < 0 ? std::numeric_limits<double>::quiet_NaN()
@@ -58,10 +60,10 @@ std::vector<LabelSides> compare_sides(const Session& session, const stltsa::Clip
                                       const stltsa::Phase& phase) {
     std::vector<LabelSides> all;
     for (const stltsa::Summary& summary : found.summaries()) {
-        if (found.statistics(STLTSA_PART_CYCLE, summary.label, -1, STLTSA_QUANTITY_TIME).count == 0)
+        if (found.statistics(STLTSA_INFO_CYCLE, summary.label, -1, STLTSA_QUANTITY_TIME).count == 0)
             continue;
         LabelSides& of = all.emplace_back();
-        of.label = summary.label;
+        of.letters = summary.letters;
         try {
             of.comparison = phase.compare_left_right(clip, summary.label, session.options());
         } catch (const stltsa::Error& error) {
@@ -80,7 +82,7 @@ PhaseAnswer add_phase(Session& session, const stltsa::Decomposition& found) {
     const stltsa::Phase phase = stltsa::find_phase(found, session.options());
     session.add_columns(session.arguments().phase, phase_table(session.clip(), found, phase),
                         {"frame", "seconds", "segment", "cycle", "phase", "residual"});
-    return {phase.warnings(), compare_sides(session, session.clip(), found, phase)};
+    return {texts_of(phase.warnings()), compare_sides(session, session.clip(), found, phase)};
 }
 
 std::string json_with_phase(const std::string& text, const PhaseAnswer& answer) {
@@ -99,7 +101,7 @@ Exit run_decompose(const Arguments& arguments) {
         session.add_report(arguments.report, [&](const std::string& name) {
             found.save_report(session.clip(), name, arguments.line, session.options());
         });
-    std::vector<std::string> warnings = found.warnings();
+    std::vector<std::string> warnings = texts_of(found.warnings());
     PhaseAnswer of_phase;
     if (!arguments.phase.empty())
         of_phase = add_phase(session, found);

@@ -10,6 +10,7 @@
 #include "plot/from_results.hpp"
 #include "reports/json.hpp"
 #include "reports/report.hpp"
+#include "reports/table.hpp"
 
 namespace tool {
 namespace {
@@ -26,7 +27,7 @@ Cleaning clean_model(const Session& session, const stltsa::Model& model) {
 
 /// Takes the file's columns as coordinates.
 Cleaning clean_columns(Session& session, const stltsa::Clip& clip) {
-    if (clip.joint_count() > 0)
+    if (!clip.joints().empty())
         throw Failure(Exit::usage,
                       "--coordinates needs a CSV or NPY file; this clip has a skeleton");
     stltsa::Matrix points = clip.features();
@@ -107,7 +108,7 @@ Exit run_denoise(const Arguments& arguments) {
         session.add_file(arguments.plot, denoising_figure(session, cleaning.points, denoising));
     session.finish({[&] { return denoising_json(session, cleaning); },
                     [&] { return denoising_report(denoising, session.title()); },
-                    denoising.info().texts(STLTSA_INFO_WARNING)});
+                    texts_of(denoising.warnings())});
     return Exit::done;
 }
 

@@ -7,12 +7,14 @@ namespace tool {
 
 Exit run_dimension(const Arguments& arguments) {
     Session session(arguments);
-    const stltsa::Dimension found =
-        stltsa::estimate_dimension(session.open_input(), session.options());
+    session.set_default(STLTSA_OPT_INTRINSIC, 1);
+    const stltsa::Model found = stltsa::fit(session.open_input(), session.options());
     session.finish({[&] { return found.json(); },
                     [&] { return dimension_report(found, session.title()); },
                     {}});
-    const bool nothing = found.local_pca().dimension == 0 && found.eigengap().dimension == 0;
+    const stltsa::Info info = found.info();
+    const bool nothing =
+        info.integer(STLTSA_INFO_LOCAL_PCA) == 0 && info.integer(STLTSA_INFO_EIGENGAP) == 0;
     return nothing ? Exit::untrustworthy : Exit::done;
 }
 

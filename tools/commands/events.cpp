@@ -47,21 +47,21 @@ std::string other_side(const std::string& name) {
 
 /// The cycle of an event that was found in the mirror image is that of the clip itself.
 std::int64_t cycle_at(const stltsa::Decomposition& found, double frame) {
-    for (std::int64_t i = 0; i < found.cycle_count(); ++i)
-        if (const stltsa::Interval cycle = found.cycle(i);
-            static_cast<double>(cycle.begin) <= frame && frame < static_cast<double>(cycle.end))
-            return i;
-    return -1;
+    const std::vector<stltsa::Part> cycles = found.cycles();
+    const auto cycle = std::ranges::find_if(cycles, [&](const stltsa::Part& of) {
+        return static_cast<double>(of.begin) <= frame && frame < static_cast<double>(of.end);
+    });
+    return cycle == cycles.end() ? -1 : cycle - cycles.begin();
 }
 
 /// Adds the warnings of a search: those of the library, and of what was not found.
 void warn(const stltsa::Events& found, const std::string& path, const std::string& name,
           EventTable& table) {
-    for (const std::string& warning : found.warnings())
-        if (const std::string text = fmt::format("{}: {}: {}", path, name, warning);
+    for (const stltsa::Warning& warning : found.warnings())
+        if (const std::string text = fmt::format("{}: {}: {}", path, name, warning.text);
             std::ranges::find(table.warnings, text) == table.warnings.end())
             table.warnings.push_back(text);
-    if (found.count() == 0)
+    if (found.all().empty())
         table.warnings.push_back(
             fmt::format("{}: no motion like the marked one, so no {} (likeness {:.2f})", path, name,
                         found.likeness()));
@@ -80,7 +80,7 @@ void append_other_side(const Session& session, const Analyzed& from, const Analy
         if (marks.contains(other_side(name)))
             continue; // both sides are marked
         const stltsa::Events found = from.phase.events(frames, mirrored.phase, session.options());
-        table.searches.push_back({in.path, other_side(name), found.count(), found.likeness()});
+        table.searches.push_back({in.path, other_side(name), std::ssize(found.all()), found.likeness()});
         warn(found, in.path, other_side(name), table);
         for (stltsa::Event event : found.all()) {
             event.cycle = cycle_at(in.found, event.frame);
@@ -93,7 +93,7 @@ void append(const Session& session, const Analyzed& from, const Analyzed& in, co
             EventTable& table) {
     for (const auto& [name, frames] : marks) {
         const stltsa::Events found = from.phase.events(frames, in.phase, session.options());
-        table.searches.push_back({in.path, name, found.count(), found.likeness()});
+        table.searches.push_back({in.path, name, std::ssize(found.all()), found.likeness()});
         for (const stltsa::Event& event : found.all())
             table.events.push_back({in.path, name, event});
         warn(found, in.path, name, table);

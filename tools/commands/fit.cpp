@@ -50,7 +50,7 @@ std::vector<std::string> keep_cycle(const Arguments& arguments, const Session& s
         return {};
     const stltsa::Options options = reading_options(session.options());
     const stltsa::Decomposition found = stltsa::decompose(clip, options);
-    if (found.cycle_count() == 0) {
+    if (found.cycles().empty()) {
         if (!marks.empty())
             throw Failure(Exit::untrustworthy,
                           fmt::format("--mark {}: the clip has no cycles: {}",
@@ -87,10 +87,10 @@ Exit run_fit(const Arguments& arguments) {
     const auto table = [&] {
         return model_report(model, session.title()) + listed("warning:", of_cycle);
     };
-    std::vector<std::string> warnings = model.warnings();
+    std::vector<std::string> warnings = texts_of(model.warnings());
     std::ranges::copy(of_cycle, std::back_inserter(warnings));
     session.finish({[&] { return model.json(); }, table, warnings});
-    return model.info().integer(STLTSA_INFO_COMPONENTS) > 1 ? Exit::untrustworthy : Exit::done;
+    return model.info().count(STLTSA_INFO_COMPONENT) > 1 ? Exit::untrustworthy : Exit::done;
 }
 
 } // namespace tool

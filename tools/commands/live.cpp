@@ -55,13 +55,11 @@ std::string played(const stltsa::Model& model, const stltsa::Clip& clip, bool js
 
 /// What the model says about its mean cycle.
 std::vector<std::string> warnings_of(const stltsa::Model& model) {
-    const std::vector<std::string> all = model.warnings();
-    const std::vector<std::int64_t> codes = model.info().integers(STLTSA_INFO_WARNING_CODE);
-    std::vector<std::string> warnings;
-    for (std::size_t i = 0; i < all.size() && i < codes.size(); ++i)
-        if (codes[i] == STLTSA_WARNING_LINEAR_PHASE)
-            warnings.push_back(all[i]);
-    return warnings;
+    std::vector<std::string> texts;
+    for (const stltsa::Warning& warning : model.warnings())
+        if (warning.code == STLTSA_WARNING_LINEAR_PHASE)
+            texts.emplace_back(warning.text);
+    return texts;
 }
 
 } // namespace

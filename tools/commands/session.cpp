@@ -130,7 +130,7 @@ const stltsa::Clip& Session::open_input() {
 stltsa::Clip Session::open_clip(const std::string& path) const {
     if (is_standard_input(path))
         return parse_stdin(path.substr(std::min<std::size_t>(path.size(), 2))); // after "-:"
-    return reading([&] { return stltsa::Clip::open(path, options()); });
+    return reading([&] { return stltsa::Clip::open_stretch(path, options()); });
 }
 
 /// `what`: a stretch; empty: the whole clip.

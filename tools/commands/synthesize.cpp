@@ -4,6 +4,7 @@
 #include "commands/session.hpp"
 #include "plot/from_results.hpp"
 #include "reports/report.hpp"
+#include "reports/table.hpp"
 
 namespace tool {
 namespace {
@@ -41,7 +42,7 @@ Exit run_synthesize(const Arguments& arguments) {
     if (!arguments.plot.empty())
         session.add_file(arguments.plot, synthesis_figure(arguments.product, names, made));
     session.finish({[&] { return made.json(); }, [&] { return synthesis_report(made, names); },
-                    made.warnings()});
+                    texts_of(made.warnings())});
     return Exit::done;
 }
 

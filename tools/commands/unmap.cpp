@@ -16,7 +16,7 @@ namespace {
 
 /// The numbers of a CSV or NPY file.
 stltsa::Matrix points_of(const stltsa::Clip& clip) {
-    if (clip.joint_count() > 0)
+    if (!clip.joints().empty())
         throw Failure(Exit::usage,
                       "coordinates come from a CSV or NPY file, not from a clip with a "
                       "skeleton; use stltsa map for clips");

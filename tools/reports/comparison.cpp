@@ -22,7 +22,7 @@ constexpr std::size_t longest_name = 32;
 
 constexpr const char* unknown = "-";
 
-std::string mark(const stltsa::Difference& of) {
+std::string mark(const stltsa::Estimate& of) {
     return of.significant != 0 ? " *" : "  ";
 }
 
@@ -38,11 +38,9 @@ std::string number(double value) {
     return std::isnan(value) ? unknown : fmt::format("{:.3g}", value);
 }
 
-std::string name_of(const stltsa::Comparison& comparison, std::int64_t part) {
-    const auto shown = [&](std::int32_t which) {
-        return shortened(one_line(comparison.part_name(which, part)), longest_name);
-    };
-    const std::string first = shown(0), second = shown(1);
+std::string name_of(const stltsa::ComparedPart& part) {
+    const auto shown = [](const char* name) { return shortened(one_line(name), longest_name); };
+    const std::string first = shown(part.first), second = shown(part.second);
     return first == second ? first : first + " - " + second;
 }
 
@@ -56,9 +54,9 @@ std::vector<Row> rows_of(const stltsa::Comparison& comparison) {
     std::vector<Row> rows;
     for (const stltsa::ComparedPart& part : comparison.parts())
         if (part.amplitude.first > 0 || part.amplitude.second > 0)
-            rows.push_back({name_of(comparison, part.part), part});
+            rows.push_back({name_of(part), part});
     std::ranges::stable_sort(rows, std::ranges::greater{},
-                             [](const Row& row) { return row.part.rms; });
+                             [](const Row& row) { return row.part.rms_difference; });
     return rows;
 }
 
@@ -70,12 +68,13 @@ std::string parts_table(const stltsa::Comparison& comparison) {
     for (std::size_t i = 0; i < std::min(rows.size(), most_parts); ++i) {
         const auto& [name, part] = rows[i];
         const bool timed = !std::isnan(part.lag.difference);
-        table.add(
-            {name, timed ? percent(part.lag.difference) + mark(part.lag) : unknown,
-             interval(part.lag.low, part.lag.high), number(part.amplitude.first),
-             std::isnan(part.ratio) ? unknown : percent(part.ratio - 1) + mark(part.amplitude),
-             interval(part.ratio_low - 1, part.ratio_high - 1), number(part.rms),
-             number(part.chance)});
+        table.add({name, timed ? percent(part.lag.difference) + mark(part.lag) : unknown,
+                   interval(part.lag.low, part.lag.high), number(part.amplitude.first),
+                   std::isnan(part.amplitude_ratio.value)
+                       ? unknown
+                       : percent(part.amplitude_ratio.value - 1) + mark(part.amplitude),
+                   interval(part.amplitude_ratio.low - 1, part.amplitude_ratio.high - 1),
+                   number(part.rms_difference), number(part.rms_by_chance)});
     }
     const std::size_t more = rows.size() - std::min(rows.size(), most_parts);
     return table.text() + (more == 0 ? ""
@@ -84,7 +83,7 @@ std::string parts_table(const stltsa::Comparison& comparison) {
                                                    more));
 }
 
-std::string alignment_text(const stltsa::ComparedCycles& cycles) {
+std::string alignment_text(const stltsa::Compared& cycles) {
     if (cycles.sides != 0)
         return "right half a cycle later, mirrored";
     std::string text = fmt::format("second shifted by {} % of the cycle", percent(cycles.shift));
@@ -93,13 +92,13 @@ std::string alignment_text(const stltsa::ComparedCycles& cycles) {
     text += fmt::format("; correlation {:.3f}", cycles.likeness);
     if (!std::isnan(cycles.runner_up))
         text += fmt::format(", at the next best shift {:.2f}", cycles.runner_up);
-    if (cycles.turn != 0)
-        text += fmt::format("; turned by {} degrees", with_sign(cycles.turn, 1));
+    if (cycles.turn_deg != 0)
+        text += fmt::format("; turned by {} degrees", with_sign(cycles.turn_deg, 1));
     return text;
 }
 
-std::string time_text(const stltsa::ComparedCycles& cycles) {
-    const stltsa::Difference& time = cycles.cycle_time;
+std::string time_text(const stltsa::Compared& cycles) {
+    const stltsa::Estimate& time = cycles.cycle_time_s;
     std::string text = fmt::format("{:.3f} s", time.first);
     if (cycles.sides != 0)
         return text;
@@ -110,7 +109,10 @@ std::string time_text(const stltsa::ComparedCycles& cycles) {
     return text;
 }
 
-void add_left_out(Facts& facts, const char* name, const std::vector<std::string>& names) {
+void add_left_out(Facts& facts, const char* name, const stltsa::ComparedMotion& motion) {
+    std::vector<std::string> names;
+    for (const char* const* left_out = motion.left_out; *left_out != nullptr; ++left_out)
+        names.emplace_back(*left_out);
     if (!names.empty())
         facts.add(name, fmt::format("{}", fmt::join(names, ", ")));
 }
@@ -127,75 +129,67 @@ std::string cell(double value) {
     return std::isnan(value) ? "" : fmt::format("{}", value);
 }
 
-std::string significant_cell(const stltsa::Difference& of) {
+std::string significant_cell(const stltsa::Estimate& of) {
     return std::isnan(of.low) ? "" : fmt::format("{}", of.significant);
 }
 
-std::string values_cells(const stltsa::Difference& of) {
+std::string values_cells(const stltsa::Estimate& of) {
     return fmt::format("{},{},{},{},{},{},{},{},{}", cell(of.first), cell(of.first_sd),
                        cell(of.second), cell(of.second_sd), cell(of.difference),
                        cell(of.standard_error), cell(of.low), cell(of.high), significant_cell(of));
 }
 
-std::string csv_row(const char* level, const stltsa::Comparison& comparison,
-                    const std::string& axis, const stltsa::ComparedPart& of) {
+std::string csv_row(const char* level, const stltsa::ComparedPart& of) {
     return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", level,
-                       csv_cell(comparison.part_name(0, of.part)),
-                       csv_cell(comparison.part_name(1, of.part)), axis, cell(of.rms),
-                       cell(of.chance), cell(of.correlation), cell(of.lag.difference),
+                       csv_cell(of.first), csv_cell(of.second), of.axis, cell(of.rms_difference),
+                       cell(of.rms_by_chance), cell(of.correlation), cell(of.lag.difference),
                        cell(of.lag.first_sd), cell(of.lag.second_sd), cell(of.lag.standard_error),
                        cell(of.lag.low), cell(of.lag.high), significant_cell(of.lag),
-                       cell(of.lag_s), values_cells(of.amplitude), cell(of.ratio),
-                       cell(of.ratio_low), cell(of.ratio_high), values_cells(of.mean));
+                       cell(of.lag_s.value), values_cells(of.amplitude),
+                       cell(of.amplitude_ratio.value), cell(of.amplitude_ratio.low),
+                       cell(of.amplitude_ratio.high), values_cells(of.mean));
 }
 
 } // namespace
 
 std::string comparison_report(const stltsa::Comparison& comparison, const std::string& first,
                               const std::string& second) {
-    const stltsa::ComparedCycles cycles = comparison.cycles();
+    const stltsa::Compared cycles = comparison.whole();
+    const stltsa::ComparedMotion motions[] = {comparison.motion(0), comparison.motion(1)};
     Facts facts;
-    const auto count = [](std::int32_t label, std::int64_t of_label) {
-        return fmt::format("{} of {}", counted(of_label, "cycle"), label_text(label));
+    const auto count = [](const stltsa::ComparedMotion& of) {
+        return fmt::format("{} of {}", counted(of.cycles, "cycle"), of.letters);
     };
     if (cycles.sides != 0) {
         facts.add("clip", first + ", left and right");
-        facts.add("cycles", count(cycles.first_label, cycles.first_count));
+        facts.add("cycles", count(motions[0]));
     } else {
-        facts.add("first", fmt::format("{}: {}, {:.1f} a minute", first,
-                                       count(cycles.first_label, cycles.first_count),
-                                       cycles.first_per_minute));
-        facts.add("second", fmt::format("{}: {}, {:.1f} a minute", second,
-                                        count(cycles.second_label, cycles.second_count),
-                                        cycles.second_per_minute));
+        facts.add("first", fmt::format("{}: {}, {:.1f} a minute", first, count(motions[0]),
+                                       motions[0].cycles_per_min));
+        facts.add("second", fmt::format("{}: {}, {:.1f} a minute", second, count(motions[1]),
+                                        motions[1].cycles_per_min));
     }
     facts.add("cycle time", time_text(cycles));
     facts.add("alignment", alignment_text(cycles));
     facts.add("significant",
               fmt::format("{} of {} differences in timing and amplitude (*); about {:.0f} would be "
                           "significant by chance alone",
-                          cycles.significant, cycles.judged,
-                          0.05 * static_cast<double>(cycles.judged)));
-    add_left_out(facts, "first only", comparison.left_out(0));
-    add_left_out(facts, "second only", comparison.left_out(1));
-    const std::string warnings = listed("warning:", comparison.warnings());
+                          cycles.significant, cycles.judged, cycles.expected_by_chance));
+    add_left_out(facts, "first only", motions[0]);
+    add_left_out(facts, "second only", motions[1]);
+    const std::string warnings = listed("warning:", texts_of(comparison.warnings()));
     return facts.text() + '\n' + parts_table(comparison) +
            (warnings.empty() ? "" : '\n' + warnings);
 }
 
 std::string comparison_csv(const stltsa::Comparison& comparison) {
     std::string text = columns;
-    std::vector<std::vector<std::string>> channels(
-        static_cast<std::size_t>(comparison.part_count()));
-    for (std::int64_t c = 0; c < comparison.channel_count(); ++c) {
-        const stltsa::ComparedPart channel = comparison.channel(c);
-        channels[static_cast<std::size_t>(channel.part)].push_back(
-            csv_row("channel", comparison, comparison.channel_axis(c), channel));
-    }
+    const std::vector<stltsa::ComparedPart> channels = comparison.channels();
+    auto channel = channels.begin(); // they come part by part
     for (const stltsa::ComparedPart& part : comparison.parts()) {
-        text += csv_row("part", comparison, "", part);
-        for (const std::string& row : channels[static_cast<std::size_t>(part.part)])
-            text += row;
+        text += csv_row("part", part);
+        for (; channel != channels.end() && channel->part == part.part; ++channel)
+            text += csv_row("channel", *channel);
     }
     return text;
 }

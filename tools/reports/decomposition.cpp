@@ -4,6 +4,7 @@
 #include <iterator>
 #include <optional>
 #include <set>
+#include <span>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -23,7 +24,8 @@ std::string seconds(double value) {
 }
 
 /// Begin, "-" and end in frames; the same in seconds; length.
-std::vector<std::string> interval_cells(const stltsa::Interval& interval) {
+template <class Row>
+std::vector<std::string> interval_cells(const Row& interval) {
     return {std::to_string(interval.begin),
             "-",
             std::to_string(interval.end),
@@ -33,7 +35,8 @@ std::vector<std::string> interval_cells(const stltsa::Interval& interval) {
             seconds(interval.end_s - interval.begin_s)};
 }
 
-void add_row(Table& table, std::vector<std::string> start, const stltsa::Interval& interval,
+template <class Row>
+void add_row(Table& table, std::vector<std::string> start, const Row& interval,
              const std::string& remark) {
     for (std::string& cell : interval_cells(interval))
         start.push_back(std::move(cell));
@@ -51,6 +54,11 @@ Table interval_table(const std::string& name) {
 /// Longer lists are cut, with a line that says how many rows are left out.
 constexpr std::int64_t most_rows = 60;
 
+template <class Row>
+std::span<const Row> shown(const std::vector<Row>& rows) {
+    return std::span(rows).first(std::min<std::size_t>(rows.size(), most_rows));
+}
+
 std::string left_out(std::int64_t count, const char* what) {
     return count > most_rows ? fmt::format("  ... and {} more {}; all are in the JSON (--json)\n",
                                            count - most_rows, what)
@@ -58,8 +66,7 @@ std::string left_out(std::int64_t count, const char* what) {
 }
 
 /// How often the segment repeats, or what was seen, and what moves.
-std::string segment_remark(const stltsa::Decomposition& result, std::int64_t index,
-                           const stltsa::Segment& segment) {
+std::string segment_remark(const stltsa::Segment& segment) {
     std::string remark;
     if (segment.kind == STLTSA_SEGMENT_CYCLIC)
         remark = fmt::format("{} of {:.2f} s", counted(segment.count, "cycle"), segment.period_s);
@@ -69,10 +76,10 @@ std::string segment_remark(const stltsa::Decomposition& result, std::int64_t ind
         remark += fmt::format("{}perhaps every {:.2f} s", remark.empty() ? "" : ", ",
                               segment.candidate_period_s);
     if (segment.kind == STLTSA_SEGMENT_REST)
-        return result.segment_reason(index); // empty, unless nothing was recorded
+        return segment.reason; // empty, unless nothing was recorded
     remark += fmt::format("{}confidence {:.2f}", remark.empty() ? "" : ", ", segment.confidence);
-    if (const auto carriers = result.carriers(index); !carriers.empty())
-        remark += "; " + carriers.front();
+    if (*segment.carried_by != nullptr)
+        remark += fmt::format("; {}", *segment.carried_by);
     return remark;
 }
 
@@ -81,30 +88,29 @@ std::string segments_table(const stltsa::Decomposition& result) {
     using enum Align;
     Table table({left, left, right, left, right, right, left});
     table.add({"segment", "label", "seconds", "", "", "length (s)", ""});
-    const std::int64_t count = result.segment_count();
-    for (std::int64_t i = 0; i < std::min(count, most_rows); ++i) {
-        const stltsa::Segment segment = result.segment(i);
-        table.add({stltsa::segment_name(segment.kind), label_text(segment.label),
-                   seconds(segment.begin_s), "-", seconds(segment.end_s),
-                   seconds(segment.end_s - segment.begin_s), segment_remark(result, i, segment)});
-    }
-    return table.text() + left_out(count, "segments") + '\n';
+    const std::vector<stltsa::Segment> segments = result.segments();
+    for (const stltsa::Segment& segment : shown(segments))
+        table.add({stltsa::segment_name(segment.kind), segment.letters, seconds(segment.begin_s),
+                   "-", seconds(segment.end_s), seconds(segment.end_s - segment.begin_s),
+                   segment_remark(segment)});
+    return table.text() + left_out(std::ssize(segments), "segments") + '\n';
 }
 
 std::string units_table(const stltsa::Decomposition& result) {
     Table table = interval_table("unit");
-    const std::int64_t count = result.unit_count();
-    for (std::int64_t i = 0; i < std::min(count, most_rows); ++i) {
-        const stltsa::Interval unit = result.unit(i);
-        const bool rests = result.segment(unit.segment).kind == STLTSA_SEGMENT_REST;
+    const std::vector<stltsa::Segment> segments = result.segments();
+    const std::vector<stltsa::Unit> units = result.units();
+    for (const stltsa::Unit& unit : shown(units)) {
+        const stltsa::Segment& segment = segments.at(static_cast<std::size_t>(unit.segment));
         add_row(table, {stltsa::unit_name(unit.kind)}, unit,
-                rests ? result.segment_reason(unit.segment) : "");
+                segment.kind == STLTSA_SEGMENT_REST ? segment.reason : "");
     }
-    return table.text() + left_out(count, "units");
+    return table.text() + left_out(std::ssize(units), "units");
 }
 
 std::string cycles_table(const stltsa::Decomposition& result) {
-    const std::int64_t count = result.cycle_count();
+    const std::vector<stltsa::Part> cycles = result.cycles();
+    const std::int64_t count = std::ssize(cycles);
     if (count == 0)
         return "";
     const stltsa::Info info = result.info();
@@ -115,36 +121,37 @@ std::string cycles_table(const stltsa::Decomposition& result) {
             remark = "representative";
         if (count > 2 && info.integer(STLTSA_INFO_BEST) == i) // two are equally like each other
             remark += remark.empty() ? "best" : ", best";
-        add_row(table, {std::to_string(i + 1)}, result.cycle(i), remark);
+        add_row(table, {std::to_string(i + 1)}, cycles[static_cast<std::size_t>(i)], remark);
     }
     return '\n' + table.text() + left_out(count, "cycles");
 }
 
 /// "left" or "right"; the number of a side whose name is unknown.
-std::string side_text(const stltsa::Decomposition& result, std::int32_t side) {
-    const std::int32_t name = result.side(side);
+std::string side_text(std::int64_t side, std::int64_t name) {
     return side < 0                    ? "-"
            : name == STLTSA_SIDE_LEFT  ? "left"
            : name == STLTSA_SIDE_RIGHT ? "right"
                                        : fmt::format("side {}", side);
 }
 
-/// A row for each part of the kind whose travel is known.
-std::vector<std::vector<std::string>> travel_rows(const stltsa::Decomposition& result,
-                                                  std::int32_t kind, const char* name) {
+/// A row for each part whose travel is known.
+std::vector<std::vector<std::string>> travel_rows(const std::vector<stltsa::Part>& parts,
+                                                  const char* name) {
     const auto cell = [](double value) {
         return std::isfinite(value) ? fmt::format("{:.4g}", value) : std::string("-");
     };
     std::vector<std::vector<std::string>> rows;
-    for (std::int64_t i = 0; i < std::min(result.part_count(kind), most_rows); ++i) {
-        const stltsa::Travel travel = result.travel(kind, i);
-        if (!std::isfinite(travel.way))
+    std::int64_t number = 0;
+    for (const stltsa::Part& part : shown(parts)) {
+        ++number;
+        if (!std::isfinite(part.path_length))
             continue;
-        const std::int32_t side = result.part(kind, i).side;
-        const double turn = std::round(10 * travel.turn) / 10 + 0.0; // no -0.0
-        rows.push_back({fmt::format("{} {}", name, i + 1), side_text(result, side),
-                        cell(travel.way), cell(travel.stride), cell(travel.speed),
-                        std::isfinite(turn) ? fmt::format("{:.1f}", turn) : std::string("-")});
+        const double turn = std::round(10 * part.turn_deg) / 10 + 0.0; // no -0.0
+        rows.push_back(
+            {fmt::format("{} {}", name, number),
+             *part.side_name != '\0' ? part.side_name : side_text(part.side, STLTSA_SIDE_NONE),
+             cell(part.path_length), cell(part.stride), cell(part.speed),
+             std::isfinite(turn) ? fmt::format("{:.1f}", turn) : std::string("-")});
     }
     return rows;
 }
@@ -152,54 +159,57 @@ std::vector<std::vector<std::string>> travel_rows(const stltsa::Decomposition& r
 /// The travel of each cycle and step, in the unit of the file; empty if it is unknown.
 std::string travel_table(const stltsa::Decomposition& result) {
     using enum Align;
-    auto rows = travel_rows(result, STLTSA_PART_CYCLE, "cycle");
-    std::ranges::move(travel_rows(result, STLTSA_PART_STEP, "step"), std::back_inserter(rows));
+    const std::vector<stltsa::Part> cycles = result.cycles(), steps = result.steps();
+    auto rows = travel_rows(cycles, "cycle");
+    std::ranges::move(travel_rows(steps, "step"), std::back_inserter(rows));
     if (rows.empty())
         return "";
     Table table({left, left, right, right, right, right});
-    table.add({"travel", "side", "way", "stride", "speed/s", "turn (deg)"});
+    table.add({"travel", "side", "path", "stride", "speed/s", "turn (deg)"});
     for (std::vector<std::string>& row : rows)
         table.add(std::move(row));
-    return '\n' + table.text() + left_out(result.part_count(STLTSA_PART_CYCLE), "cycles") +
-           left_out(result.part_count(STLTSA_PART_STEP), "steps");
+    return '\n' + table.text() + left_out(std::ssize(cycles), "cycles") +
+           left_out(std::ssize(steps), "steps");
 }
 
-/// The label of most cycles; empty: there are none.
-std::optional<std::int32_t> main_label(const stltsa::Decomposition& result) {
-    std::optional<std::int32_t> label;
+/// The motion of most cycles; empty: there are none.
+std::optional<stltsa::Summary> main_motion(const stltsa::Decomposition& result) {
+    std::optional<stltsa::Summary> found;
     std::int64_t most = 0;
     for (const stltsa::Summary& summary : result.summaries()) {
         const std::int64_t count =
-            result.statistics(STLTSA_PART_CYCLE, summary.label, -1, STLTSA_QUANTITY_TIME).count;
+            result.statistics(STLTSA_INFO_CYCLE, summary.label, -1, STLTSA_QUANTITY_TIME).count;
         if (count > most) {
             most = count;
-            label = summary.label;
+            found = summary;
         }
     }
-    return label;
+    return found;
 }
 
 /// Cadence and travel of the motion with most cycles.
 void add_gait(const stltsa::Decomposition& result, Facts& facts) {
-    const std::optional<std::int32_t> label = main_label(result);
-    if (!label)
+    const auto motion = main_motion(result);
+    if (!motion)
         return;
-    const auto of = [&](std::int32_t kind, std::int32_t side, std::int32_t quantity) {
-        return result.statistics(kind, *label, side, quantity);
-    };
-    const stltsa::Statistics cycles = of(STLTSA_PART_CYCLE, -1, STLTSA_QUANTITY_TIME);
+    const stltsa::Statistics cycles =
+        result.statistics(STLTSA_INFO_CYCLE, motion->label, -1, STLTSA_QUANTITY_TIME);
     const std::string which =
-        result.summary_count() > 1 ? fmt::format(" of {}", label_text(*label)) : "";
+        result.info().count(STLTSA_INFO_SUMMARY) > 1 ? fmt::format(" of {}", motion->letters) : "";
     facts.add("cycle time" + which, fmt::format("{} s, SD {} s ({:.1f} %)", seconds(cycles.mean),
                                                 seconds(cycles.sd), 100 * cycles.cv));
-    if (const auto steps = of(STLTSA_PART_STEP, -1, STLTSA_QUANTITY_TIME); steps.count > 0)
+    if (motion->step_time_s.count > 0) {
+        const auto side = [&](std::int64_t number) {
+            return side_text(number, result.info().integer(STLTSA_INFO_SIDE, number));
+        };
         facts.add("steps" + which,
-                  fmt::format("{:.1f} a minute; {}: {} s, {}: {} s", 60 / steps.mean,
-                              side_text(result, 0),
-                              seconds(of(STLTSA_PART_STEP, 0, STLTSA_QUANTITY_TIME).mean),
-                              side_text(result, 1),
-                              seconds(of(STLTSA_PART_STEP, 1, STLTSA_QUANTITY_TIME).mean)));
-    const auto travel = [&](std::int32_t quantity) { return of(STLTSA_PART_CYCLE, -1, quantity); };
+                  fmt::format("{:.1f} a minute; {}: {} s, {}: {} s", motion->steps_per_min, side(0),
+                              seconds(motion->step_time_side_0_s), side(1),
+                              seconds(motion->step_time_side_1_s)));
+    }
+    const auto travel = [&](std::int32_t quantity) {
+        return result.statistics(STLTSA_INFO_CYCLE, motion->label, -1, quantity);
+    };
     if (const auto speed = travel(STLTSA_QUANTITY_SPEED); speed.count > 0) {
         const auto turn = travel(STLTSA_QUANTITY_TURN);
         facts.add("travel" + which,
@@ -237,18 +247,19 @@ Facts facts_of(const stltsa::Decomposition& result) {
 } // namespace
 
 std::string decomposition_summary(const stltsa::Decomposition& result) {
-    const std::int64_t repetitions = result.part_count(STLTSA_PART_REPETITION);
+    const std::int64_t repetitions = result.info().count(STLTSA_INFO_REPETITION);
     std::string repeated =
         repetitions > 0 ? counted(repetitions, "repetition") + " with pauses" : "";
-    std::set<std::int32_t> cyclic;
+    const std::int64_t cycles = result.info().count(STLTSA_INFO_CYCLE);
+    std::set<std::int64_t> cyclic;
     for (const stltsa::Segment& segment : result.segments())
         if (segment.kind == STLTSA_SEGMENT_CYCLIC)
             cyclic.insert(segment.label);
     if (cyclic.size() > 1) // each has a period of its own
-        return fmt::format("{} of {} motions{}", counted(result.cycle_count(), "cycle"),
-                           cyclic.size(), repeated.empty() ? "" : "; " + repeated);
-    if (result.cycle_count() > 0)
-        return fmt::format("{}, period {:.2f} s{}", counted(result.cycle_count(), "cycle"),
+        return fmt::format("{} of {} motions{}", counted(cycles, "cycle"), cyclic.size(),
+                           repeated.empty() ? "" : "; " + repeated);
+    if (cycles > 0)
+        return fmt::format("{}, period {:.2f} s{}", counted(cycles, "cycle"),
                            result.info().real(STLTSA_INFO_PERIOD),
                            repeated.empty() ? "" : "; " + repeated);
     if (!repeated.empty())
@@ -264,7 +275,7 @@ std::string decomposition_report(const stltsa::Decomposition& result, const std:
     return bold(first) + "\n\n" + segments_table(result) + units_table(result) +
            cycles_table(result) + travel_table(result) + '\n' + facts_of(result).text() +
            listed("note:", info.texts(STLTSA_INFO_NOTE)) +
-           listed("warning:", info.texts(STLTSA_INFO_WARNING));
+           listed("warning:", texts_of(result.warnings()));
 }
 
 } // namespace tool

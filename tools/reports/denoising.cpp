@@ -13,19 +13,17 @@
 namespace tool {
 namespace {
 
-std::string columns_table(const stltsa::Info& denoising) {
+std::string columns_table(const stltsa::Denoising& denoising) {
     using enum Align;
     Table table({right, right, right, right, right, right}, 2);
     table.add({"", "robust std.", "threshold", "points", "their mean", "curve's degrees"});
     table.add({"coordinate", "deviation", "(gamma)", "moved", "distance", "of freedom"});
-    const auto digits = [&](std::int32_t key, std::int64_t column) {
-        return fmt::format("{:.4g}", denoising.real(key, column));
-    };
-    for (std::int64_t c = 0; c < denoising.count(STLTSA_INFO_GAMMA); ++c)
-        table.add(
-            {std::to_string(c + 1), digits(STLTSA_INFO_NOISE, c), digits(STLTSA_INFO_GAMMA, c),
-             std::to_string(denoising.integer(STLTSA_INFO_MOVED, c)), digits(STLTSA_INFO_SHIFT, c),
-             fmt::format("{:.1f}", denoising.real(STLTSA_INFO_DEGREES_OF_FREEDOM, c))});
+    const auto digits = [](double value) { return fmt::format("{:.4g}", value); };
+    std::int64_t number = 0;
+    for (const stltsa::DenoisedColumn& of : denoising.columns())
+        table.add({std::to_string(++number), digits(of.noise), digits(of.gamma),
+                   std::to_string(of.moved), digits(of.shift),
+                   fmt::format("{:.1f}", of.degrees_of_freedom)});
     return table.text();
 }
 
@@ -42,13 +40,13 @@ std::string knots_text(const stltsa::Info& denoising) {
 
 std::string denoising_summary(const stltsa::Denoising& denoising) {
     const stltsa::Info info = denoising.info();
-    std::int64_t moved = 0;
-    for (const std::int64_t of_column : info.integers(STLTSA_INFO_MOVED))
-        moved += of_column;
-    const std::int64_t points = info.count(STLTSA_INFO_MOVED) * info.integer(STLTSA_INFO_ROWS);
+    std::int64_t moved = 0, points = 0;
     double share = 0;
-    for (const double of_column : info.reals(STLTSA_INFO_NOISE_SHARE))
-        share = std::max(share, of_column);
+    for (const stltsa::DenoisedColumn& of : denoising.columns()) {
+        moved += of.moved;
+        points += info.integer(STLTSA_INFO_ROWS);
+        share = std::max(share, of.noise_share);
+    }
     const std::string what =
         fmt::format("{} of {} moved towards a smooth curve", moved, counted(points, "point"));
     return info.integer(STLTSA_INFO_NOTHING_TO_CLEAN) != 0
@@ -71,8 +69,8 @@ std::string denoising_report(const stltsa::Denoising& denoising, const std::stri
     facts.add("knots", knots_text(info));
     return bold(wrapped(title + ": " + denoising_summary(denoising),
                         terminal_columns(STDOUT_FILENO))) +
-           "\n\n" + columns_table(info) + '\n' + facts.text() +
-           listed("warning:", info.texts(STLTSA_INFO_WARNING));
+           "\n\n" + columns_table(denoising) + '\n' + facts.text() +
+           listed("warning:", texts_of(denoising.warnings()));
 }
 
 } // namespace tool

@@ -14,7 +14,22 @@
 namespace tool {
 namespace {
 
-using Estimate = stltsa::Dimension::Estimate;
+struct Estimate {
+    std::int64_t dimension = 0; ///< 0: cannot tell
+    std::string reason;         ///< why not
+};
+
+Estimate estimate_of(const stltsa::Info& info, std::int32_t key, std::int32_t reason) {
+    return {info.integer(key), info.text(reason)};
+}
+
+Estimate local_pca_of(const stltsa::Info& info) {
+    return estimate_of(info, STLTSA_INFO_LOCAL_PCA, STLTSA_INFO_LOCAL_PCA_REASON);
+}
+
+Estimate eigengap_of(const stltsa::Info& info) {
+    return estimate_of(info, STLTSA_INFO_EIGENGAP, STLTSA_INFO_EIGENGAP_REASON);
+}
 
 constexpr std::size_t most_values = 10;
 constexpr std::size_t bar_width = 40;
@@ -47,16 +62,16 @@ std::string spectrum(const std::vector<double>& values, const char* index, const
     return values.empty() ? "" : table.text();
 }
 
-std::string local_pca_text(const stltsa::Dimension& result) {
+std::string local_pca_text(const stltsa::Info& info) {
     return fmt::format("\nLocal PCA: directions that explain {:g} % of a neighborhood's variance\n",
-                       100 * result.info().real(STLTSA_INFO_VARIANCE)) +
-           reason_text(result.local_pca()) +
-           spectrum(shown_values(result.local_variances()), "direction", "share of variance", 1.0);
+                       100 * info.real(STLTSA_INFO_VARIANCE)) +
+           reason_text(local_pca_of(info)) +
+           spectrum(shown_values(info.reals(STLTSA_INFO_LOCAL_VARIANCE)), "direction",
+                    "share of variance", 1.0);
 }
 
-std::string eigengap_text(const stltsa::Dimension& result) {
-    const stltsa::Info info = result.info();
-    const std::vector<double> values = shown_values(result.eigenvalues());
+std::string eigengap_text(const stltsa::Info& info) {
+    const std::vector<double> values = shown_values(info.reals(STLTSA_INFO_EIGENVALUE));
     const double largest = values.empty() ? 0 : std::ranges::max(values);
     const std::int64_t tangents = info.integer(STLTSA_INFO_DIMENSION);
     const std::string rule = fmt::format(
@@ -65,21 +80,21 @@ std::string eigengap_text(const stltsa::Dimension& result) {
         "on --dimension.",
         info.real(STLTSA_INFO_EIGENGAP_THRESHOLD), tangents, tangents + 1);
     return '\n' + wrapped(rule, terminal_columns(STDOUT_FILENO)) + '\n' +
-           reason_text(result.eigengap()) +
+           reason_text(eigengap_of(info)) +
            spectrum(values, "index", "eigenvalue", std::max(largest, 1e-300));
 }
 
 } // namespace
 
-std::string dimension_report(const stltsa::Dimension& result, const std::string& title) {
+std::string dimension_report(const stltsa::Model& result, const std::string& title) {
     const stltsa::Info info = result.info();
     Facts facts;
     facts.add("samples", samples_text(info));
     facts.add("features", features_text(info));
     facts.add("neighbors", neighbors_text(info));
     return bold(fmt::format("{}: intrinsic dimension {} (local PCA), {} (eigengap)", title,
-                            estimate_text(result.local_pca()), estimate_text(result.eigengap()))) +
-           "\n\n" + facts.text() + local_pca_text(result) + eigengap_text(result);
+                            estimate_text(local_pca_of(info)), estimate_text(eigengap_of(info)))) +
+           "\n\n" + facts.text() + local_pca_text(info) + eigengap_text(info);
 }
 
 } // namespace tool

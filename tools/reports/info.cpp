@@ -38,7 +38,7 @@ std::string joints_text(const stltsa::Clip& clip) {
                    : "none: the file is a plain matrix";
     return fmt::format(
         "{} (with {})", joints.size(),
-        counted(std::ranges::count_if(joints, &stltsa::Joint::is_end_site), "end site"));
+        counted(std::ranges::count(joints, 1, &stltsa::Joint::is_end_site), "end site"));
 }
 
 } // namespace
@@ -49,12 +49,12 @@ std::string info_report(const stltsa::Clip& clip, const std::string& title) {
     if (const std::string path = info.text(STLTSA_INFO_PATH); !path.empty())
         lines.add("path", one_line(path));
     lines.add("joints", joints_text(clip));
-    lines.add("channels", std::to_string(clip.channels()));
+    lines.add("channels", std::to_string(info.integer(STLTSA_INFO_CHANNELS)));
     lines.add("features", fmt::format("{}, {}", named(info, STLTSA_INFO_FEATURES),
                                       counted(clip.feature_count(), "column")));
     if (info.integer(STLTSA_INFO_UP_AXIS) > 0)
         lines.add("up axis", named(info, STLTSA_INFO_UP_AXIS));
-    if (const std::string unit = info.text(STLTSA_INFO_UNIT); !unit.empty())
+    if (const std::string unit = info.text(STLTSA_INFO_LENGTH_UNIT); !unit.empty())
         lines.add("unit", one_line(unit));
     std::map<std::string, std::int64_t> events;
     for (const stltsa::FileEvent& event : clip.events())

@@ -13,7 +13,7 @@ namespace tool {
 namespace {
 
 std::string sentence(const stltsa::Info& model, const std::string& title) {
-    const std::int64_t components = model.count(STLTSA_INFO_COMPONENT_ROWS);
+    const std::int64_t components = model.count(STLTSA_INFO_COMPONENT);
     return fmt::format("{}: a curve of {} through {}, {}", title,
                        counted(model.integer(STLTSA_INFO_DIMENSION), "coordinate"),
                        counted(model.integer(STLTSA_INFO_ROWS), "sample"),
@@ -28,7 +28,7 @@ std::string scientific(double value) {
 
 std::string components_table(const stltsa::Model& model) {
     using enum Align;
-    const stltsa::Info info = model.info();
+    const std::vector<stltsa::Component> components = model.components();
     const stltsa::Matrix eigenvalues = model.eigenvalues();
     Table table({right, right, right, right, right, right, left}, 2);
     table.add({"", "", "residual", "angle error", "eigengap", "rank-deficient", ""});
@@ -37,12 +37,10 @@ std::string components_table(const stltsa::Model& model) {
         std::vector<std::string> values;
         for (const double value : eigenvalues.row(i))
             values.push_back(scientific(value));
-        table.add({std::to_string(i + 1),
-                   std::to_string(info.integer(STLTSA_INFO_COMPONENT_ROWS, i)),
-                   scientific(info.real(STLTSA_INFO_RESIDUAL, i)),
-                   scientific(info.real(STLTSA_INFO_ERROR_ESTIMATE, i)),
-                   scientific(info.real(STLTSA_INFO_GAP, i)),
-                   std::to_string(info.integer(STLTSA_INFO_RANK_DEFICIENT, i)),
+        const stltsa::Component& of = components[static_cast<std::size_t>(i)];
+        table.add({std::to_string(i + 1), std::to_string(of.frames), scientific(of.residual),
+                   scientific(of.error_estimate_rad), scientific(of.gap),
+                   std::to_string(of.rank_deficient_windows),
                    fmt::format("{}", fmt::join(values, " "))});
     }
     return table.text();
@@ -64,7 +62,7 @@ std::string model_report(const stltsa::Model& model, const std::string& title) {
     if (const std::int64_t repeated = info.integer(STLTSA_INFO_REPEATED); repeated > 0)
         facts.add("repeated", counted(repeated, "sample") + " equal to the previous sample");
     return bold(sentence(info, title)) + "\n\n" + facts.text() + '\n' + components_table(model) +
-           listed("warning:", info.texts(STLTSA_INFO_WARNING));
+           listed("warning:", texts_of(model.warnings()));
 }
 
 } // namespace tool

@@ -13,7 +13,7 @@ namespace tool {
 
 std::string info_report(const stltsa::Clip& clip, const std::string& title);
 std::string model_report(const stltsa::Model& model, const std::string& title);
-std::string dimension_report(const stltsa::Dimension& dimension, const std::string& title);
+std::string dimension_report(const stltsa::Model& model, const std::string& title);
 std::string denoising_report(const stltsa::Denoising& denoising, const std::string& title);
 std::string mapping_report(const Mapping& mapping, const std::string& title);
 /// `pieces`: as typed.

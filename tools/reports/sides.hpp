@@ -13,7 +13,7 @@
 namespace tool {
 
 struct LabelSides {
-    std::int32_t label = 0;
+    std::string letters;                          ///< the label
     std::optional<stltsa::Comparison> comparison; ///< empty: see `reason`
     std::string reason;
 };

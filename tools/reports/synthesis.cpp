@@ -47,7 +47,7 @@ class PieceNumbers {
     std::string list_;
 };
 
-std::string seams_table(const std::vector<stltsa::Seam>& seams, std::int64_t end, double fps,
+std::string seams_table(const std::vector<stltsa::Seam>& seams,
                         const std::vector<std::string>& pieces) {
     using enum Align;
     if (seams.empty())
@@ -57,14 +57,12 @@ std::string seams_table(const std::vector<stltsa::Seam>& seams, std::int64_t end
     table.add({"seam", "", "from", "to", "cut", "goes on", "blend", "", "", ""});
     table.add(
         {"frame", "seconds", "piece", "piece", "before", "at", "(s)", "posture", "step", "accel."});
-    const auto seconds = [&](std::int64_t frames) {
-        return fmt::format("{:.3f}", static_cast<double>(frames) / fps);
-    };
+    const auto seconds = [](double value) { return fmt::format("{:.3f}", value); };
     const auto ratio = [](double value) { return fmt::format("{:.2f}", value); };
     for (const stltsa::Seam& seam : seams)
-        table.add({seam.frame == end ? "wrap" : std::to_string(seam.frame), seconds(seam.frame),
+        table.add({seam.wrap != 0 ? "wrap" : std::to_string(seam.frame), seconds(seam.time_s),
                    numbers[seam.piece], numbers[seam.next], std::to_string(seam.cut_end),
-                   std::to_string(seam.cut_begin), seconds(seam.crossfade), ratio(seam.posture),
+                   std::to_string(seam.cut_begin), seconds(seam.crossfade_s), ratio(seam.posture),
                    ratio(seam.step), ratio(seam.acceleration)});
     constexpr std::size_t place = 2; // cells that say where the seam is
     table.fold(place);
@@ -100,17 +98,15 @@ std::string synthesis_summary(const stltsa::Synthesis& synthesis) {
     const stltsa::Clip& clip = synthesis.clip();
     return fmt::format("{}, {:.2f} s, from {} with {}", counted(clip.frames(), "frame"),
                        static_cast<double>(clip.frames()) / clip.fps(),
-                       counted(synthesis.info().count(STLTSA_INFO_PIECE_BEGIN), "piece"),
-                       counted(synthesis.seam_count(), "seam"));
+                       counted(synthesis.info().count(STLTSA_INFO_PIECE), "piece"),
+                       counted(synthesis.info().count(STLTSA_INFO_SEAM), "seam"));
 }
 
 std::string synthesis_report(const stltsa::Synthesis& synthesis,
                              const std::vector<std::string>& pieces) {
-    return bold(synthesis_summary(synthesis)) + '\n' +
-           seams_table(synthesis.seams(), synthesis.clip().frames(), synthesis.clip().fps(),
-                       pieces) +
+    return bold(synthesis_summary(synthesis)) + '\n' + seams_table(synthesis.seams(), pieces) +
            loop_text(synthesis.info()) + listed("note:", synthesis.info().texts(STLTSA_INFO_NOTE)) +
-           listed("warning:", synthesis.warnings());
+           listed("warning:", texts_of(synthesis.warnings()));
 }
 
 } // namespace tool

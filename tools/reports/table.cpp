@@ -126,6 +126,13 @@ std::string bar(double share, std::size_t width) {
     return std::string(static_cast<std::size_t>(std::lround(full)), '#');
 }
 
+std::vector<std::string> texts_of(const std::vector<stltsa::Warning>& warnings) {
+    std::vector<std::string> texts;
+    for (const stltsa::Warning& warning : warnings)
+        texts.emplace_back(warning.text);
+    return texts;
+}
+
 std::string listed(const std::string& name, const std::vector<std::string>& texts) {
     std::string result;
     for (const std::string& text : texts)

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <stltsa.hpp>
+
 namespace tool {
 
 enum class Align { left, right };
@@ -49,5 +51,7 @@ std::string bar(double share, std::size_t width);
 
 /// One line "name  text" per text; empty without texts.
 std::string listed(const std::string& name, const std::vector<std::string>& texts);
+
+std::vector<std::string> texts_of(const std::vector<stltsa::Warning>& warnings);
 
 } // namespace tool

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "terminal/text.hpp"
 
+#include "base/names.hpp"
+
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -121,11 +123,8 @@ std::string shortened(const std::string& text, std::size_t most) {
     return begin + "..." + end;
 }
 
-std::string label_text(std::int32_t label) {
-    std::string text;
-    for (std::int32_t rest = label; rest >= 0; rest = rest / 26 - 1)
-        text.insert(text.begin(), static_cast<char>('A' + rest % 26));
-    return text;
+std::string label_text(std::int64_t label) {
+    return stltsa::letters_of(label);
 }
 
 std::string counted(std::int64_t count, std::string_view noun) {

@@ -37,7 +37,7 @@ std::string one_line(std::string text);
 std::string shortened(const std::string& text, std::size_t most);
 
 /// The label of a segment: A, B, ... Z, AA, AB, ...; empty for -1.
-std::string label_text(std::int32_t label);
+std::string label_text(std::int64_t label);
 
 /// "1 cycle", "2 cycles".
 std::string counted(std::int64_t count, std::string_view noun);

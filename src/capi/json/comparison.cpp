@@ -1,12 +1,68 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/numbers.hpp"
+#include "capi/compared_rows.hpp"
+#include "capi/json/fields.hpp"
 #include "capi/json/parts.hpp"
 
 namespace stltsa::capi {
 namespace {
 
-using phase::Estimate;
-using phase::PartDifference;
+using Whole = stltsa_compared;
+using Motion = stltsa_compared_motion;
+using Part = stltsa_compared_part;
+using Estimate = stltsa_estimate;
+using Bounded = stltsa_bounded;
+
+constexpr Field<Estimate> estimate_fields[] = {
+    {"first", value<&Estimate::first>},
+    {"first_sd", value<&Estimate::first_sd>},
+    {"second", value<&Estimate::second>},
+    {"second_sd", value<&Estimate::second_sd>},
+    {"difference", value<&Estimate::difference>},
+    {"standard_error", value<&Estimate::standard_error>},
+    {"low", value<&Estimate::low>},
+    {"high", value<&Estimate::high>},
+    {"significant", flag<&Estimate::significant>},
+};
+
+constexpr Field<Bounded> bounded_fields[] = {
+    {"value", value<&Bounded::value>},
+    {"low", value<&Bounded::low>},
+    {"high", value<&Bounded::high>},
+};
+
+template <auto member>
+Json estimate(const Of<member>& row) {
+    return row_json(estimate_fields, row.*member);
+}
+
+template <auto member>
+Json bounded(const Of<member>& row) {
+    return row_json(bounded_fields, row.*member);
+}
+
+constexpr Field<Motion> motion_fields[] = {
+    {"path", known<&Motion::path>},         {"frames", value<&Motion::frames>},
+    {"fps", value<&Motion::fps>},           {"label", value<&Motion::letters>},
+    {"cycles", value<&Motion::cycles>},     {"cycles_per_min", value<&Motion::cycles_per_min>},
+    {"left_out", texts<&Motion::left_out>},
+};
+
+constexpr Field<Whole> alignment_fields[] = {
+    {"shift", value<&Whole::shift>},       {"standard_error", value<&Whole::shift_error>},
+    {"low", value<&Whole::shift_low>},     {"high", value<&Whole::shift_high>},
+    {"likeness", value<&Whole::likeness>}, {"runner_up", value<&Whole::runner_up>},
+    {"turn_deg", value<&Whole::turn_deg>},
+};
+
+constexpr Field<Part> difference_fields[] = {
+    {"lag", estimate<&Part::lag>},
+    {"lag_s", bounded<&Part::lag_s>},
+    {"amplitude", estimate<&Part::amplitude>},
+    {"amplitude_ratio", bounded<&Part::amplitude_ratio>},
+    {"rms_difference", value<&Part::rms_difference>},
+    {"rms_by_chance", value<&Part::rms_by_chance>},
+    {"correlation", value<&Part::correlation>},
+};
 
 /// A column of samples.
 Json curve(const Matrix& samples, std::int64_t column) {
@@ -16,81 +72,51 @@ Json curve(const Matrix& samples, std::int64_t column) {
     return values;
 }
 
-Json estimate_json(const Estimate& of) {
-    return JsonObject("first", of.first, "first_sd", of.first_sd, "second", of.second, "second_sd",
-                      of.second_sd, "difference", of.difference, "standard_error", of.error, "low",
-                      of.low, "high", of.high, "significant", of.significant);
-}
-
-Json interval_json(double value, double low, double high) {
-    return JsonObject("value", value, "low", low, "high", high);
-}
-
-JsonObject differences_json(const PartDifference& of, double cycle_time) {
-    return JsonObject("lag", estimate_json(of.lag), "lag_s",
-                      interval_json(of.lag.difference * cycle_time, of.lag.low * cycle_time,
-                                    of.lag.high * cycle_time),
-                      "amplitude", estimate_json(of.amplitude), "amplitude_ratio",
-                      interval_json(of.ratio.difference, of.ratio.low, of.ratio.high),
-                      "rms_difference", of.rms, "rms_by_chance", of.chance, "correlation",
-                      of.correlation);
-}
-
-Json motion_json(const Comparison& of, std::size_t which) {
-    const ComparedMotion& motion = of.motions[which];
-    const double time = which == 0 ? of.cycle_time.first : of.cycle_time.second;
-    return JsonObject("path", json_string_or_null(motion.clip.path), "frames", motion.clip.frames,
-                      "fps", motion.clip.fps > 0 ? motion.clip.fps : none, "label",
-                      letters_of(motion.label), "cycles", motion.cycles, "cycles_per_min",
-                      60 / time, "left_out",
-                      which == 0 ? of.columns.left_out : of.columns.other_left_out);
-}
-
-Json channel_json(const Comparison& of, std::size_t channel) {
-    const PartDifference& found = of.differences.columns[channel];
-    JsonObject object("axis", json_string_or_null(of.columns.axis[channel]), "mean",
-                      estimate_json(found.mean));
+Json channel_json(const stltsa_comparison& of, std::size_t channel) {
+    const Part row = compared_channel_row(of, channel);
     const auto column = static_cast<std::int64_t>(channel);
     const auto curves = [&](const ComparedMotion& motion) {
         return JsonObject("mean", curve(motion.mean, column), "sd",
                           curve(motion.deviation, column));
     };
-    object.set("first", curves(of.motions[0]), "second", curves(of.motions[1]), "difference",
-               JsonObject("mean", curve(of.differences.difference, column), "standard_error",
-                          curve(of.differences.error, column), "margin",
-                          curve(of.differences.margin, column)));
-    object.set("differences", differences_json(found, mean_cycle_time(of)));
-    return object;
+    return JsonObject("axis", known<&Part::axis>(row), "mean", estimate<&Part::mean>(row), "first",
+                      curves(of.motions[0]), "second", curves(of.motions[1]), "difference",
+                      JsonObject("mean", curve(of.differences.difference, column), "standard_error",
+                                 curve(of.differences.error, column), "margin",
+                                 curve(of.differences.margin, column)),
+                      "differences", row_json(difference_fields, row));
 }
 
-Json parts_json(const Comparison& of) {
+Json parts_json(const stltsa_comparison& of) {
     std::vector<Json> parts;
+    std::size_t channel = 0; // they come part by part
     for (std::size_t p = 0; p < of.columns.names.size(); ++p) {
         std::vector<Json> channels;
-        for (std::size_t c = 0; c < of.columns.part.size(); ++c)
-            if (of.columns.part[c] == static_cast<std::int64_t>(p))
-                channels.push_back(channel_json(of, c));
-        parts.push_back(JsonObject(
-            "first", of.columns.names[p], "second", of.columns.other_names[p], "differences",
-            differences_json(of.differences.parts[p], mean_cycle_time(of)), "channels", channels));
+        for (; channel < of.columns.part.size() &&
+               of.columns.part[channel] == static_cast<std::int64_t>(p);
+             ++channel)
+            channels.push_back(channel_json(of, channel));
+        const Part row = compared_part_row(of, p);
+        parts.push_back(JsonObject("first", row.first, "second", row.second, "differences",
+                                   row_json(difference_fields, row), "channels", channels));
     }
     return parts;
 }
 
 } // namespace
 
-std::string comparison_json(const Comparison& of) {
+std::string comparison_json(const stltsa_comparison& of) {
+    const Whole whole = compared_row(of);
     JsonObject object = json_head("comparison");
-    object.set("kind", of.sides ? "left_right" : "two_motions", "features", json_name(of.features),
-               "samples", of.samples);
-    object.set("first", motion_json(of, 0), "second", motion_json(of, 1));
-    object.set("alignment",
-               JsonObject("shift", of.shift.difference, "standard_error", of.shift.error, "low",
-                          of.shift.low, "high", of.shift.high, "likeness", of.likeness, "runner_up",
-                          of.runner_up, "turn_deg", of.turn));
-    object.set("size_ratio", of.size_ratio, "cycle_time_s", estimate_json(of.cycle_time));
-    object.set("judged", of.judged, "significant", of.significant, "expected_by_chance",
-               expected_by_chance(of));
+    object.set("kind", whole.sides != 0 ? "left_right" : "two_motions", "features",
+               json_name(of.features), "samples", whole.samples);
+    object.set("first", row_json(motion_fields, compared_motion_row(of, 0)), "second",
+               row_json(motion_fields, compared_motion_row(of, 1)));
+    object.set("alignment", row_json(alignment_fields, whole));
+    object.set("size_ratio", whole.size_ratio, "cycle_time_s",
+               row_json(estimate_fields, whole.cycle_time_s));
+    object.set("judged", whole.judged, "significant", whole.significant, "expected_by_chance",
+               whole.expected_by_chance);
     object.set("parts", parts_json(of), "warnings", json_warnings(of.warnings));
     return object.text();
 }

@@ -16,7 +16,7 @@ namespace stltsa::capi {
 std::string clip_json(const clip::Clip& clip);
 std::string model_json(const results::Fitted& fitted);
 std::string decomposition_json(const results::Decomposed& decomposed);
-std::string comparison_json(const results::Comparison& comparison);
+std::string comparison_json(const stltsa_comparison& comparison);
 std::string denoising_json(const results::Denoised& denoised);
 /// `clip`: the new clip.
 std::string synthesis_json(const clip::Clip& clip, const results::Synthesized& synthesized);
