@@ -656,12 +656,12 @@ STLTSA_API stltsa_status stltsa_info_shape(const stltsa_info *info, int32_t key,
  * stltsa-denoising/1, stltsa-synthesis/1); free it with stltsa_free. E_UNSUPPORTED: others. */
 STLTSA_API stltsa_status stltsa_info_json(const stltsa_info *info, char **json) STLTSA_NOEXCEPT;
 
-/* A warning. The text says what it is about, and what to do. */
+/* A warning. A row. */
 typedef struct stltsa_warning {
     int64_t code;          /* STLTSA_WARNING_* */
-    const char *text;
+    const char *text;      /* what it is about, and what to do */
     double begin_s;        /* seconds in the clip at which it applies; NaN: it has no time */
-    double end_s;          /* end of that time; the begin for a moment */
+    double end_s;          /* end of that time; the begin for a moment; NaN: it has no time */
 } stltsa_warning;
 
 /* Bits of stltsa_info_key.handles. */
@@ -924,8 +924,8 @@ typedef struct stltsa_interval {
 typedef struct stltsa_unit {
     int64_t kind;          /* STLTSA_UNIT_* */
     int64_t segment;       /* index of its segment */
-    int64_t begin, end;
-    double begin_s, end_s;
+    int64_t begin, end;    /* frames, rounded */
+    double begin_s, end_s; /* seconds, with fractions of a frame */
 } stltsa_unit;
 
 /* The frames of a stretch, named as for stltsa_clip_stretch: `count` is set to the number of
@@ -950,8 +950,8 @@ typedef struct stltsa_segment {
     int64_t label;             /* 0, 1, ... in order of appearance; -1: a rest */
     const char *letters;       /* the label as it is shown: A, B, ... Z, AA, ...; "" for a rest */
     double likeness;           /* mean likeness to the others of its label, 0 to 1; NaN: none */
-    int64_t begin, end;
-    double begin_s, end_s;
+    int64_t begin, end;        /* frames, rounded */
+    double begin_s, end_s;     /* seconds, with fractions of a frame */
     double period_s;           /* median length of the cycles; NaN: not cyclic */
     double candidate_period_s; /* a period that was seen but is not claimed; NaN: none */
     int64_t count;             /* cycles or repetitions; 1 for an action, 0 for a rest */
@@ -975,15 +975,14 @@ typedef struct stltsa_segment {
 } stltsa_segment;
 
 /* A cycle, a step or a repetition, [begin, end) as in stltsa_interval, and how the body travels over
- * the ground meanwhile: the body root of a skeleton, or the mean of points; NaN: unknown, as in a
- * matrix of bare numbers. A row. */
+ * the ground meanwhile: the body root of a skeleton, or the mean of points. A row. */
 typedef struct stltsa_part {
     int64_t segment;           /* index of its segment */
     int64_t cycle;             /* of a step, index of its cycle; else -1 */
     int64_t label;             /* of its segment */
     const char *letters;       /* of its segment */
-    int64_t begin, end;
-    double begin_s, end_s;
+    int64_t begin, end;        /* frames, rounded */
+    double begin_s, end_s;     /* seconds, with fractions of a frame */
     int64_t side;              /* which side of the body leads: 0 or 1, the same in all clips of a
                                   skeleton; -1: unknown. At foot strikes that the file states: the
                                   side whose strike a cycle begins with, and a step ends with */
@@ -991,11 +990,12 @@ typedef struct stltsa_part {
     double likeness;           /* of a cycle to the mean cycle of its segment, of a repetition to
                                   the others, 0 to 1; NaN: unknown */
     double confidence;         /* share of such answers that are right, 0 to 1 */
-    double path_length;        /* in the unit of the file, as the next two */
-    double stride;             /* distance between the ends of the path */
-    double speed;              /* path length / second */
-    double turn_deg;           /* degrees, counterclockwise as seen from above; points: unknown if
-                                  fewer than three are seen at both ends */
+    double path_length;        /* in the unit of the file, as the next two; NaN: unknown, as in a
+                                  matrix of bare numbers */
+    double stride;             /* distance between the ends of the path; NaN: unknown */
+    double speed;              /* path length / second; NaN: unknown */
+    double turn_deg;           /* degrees, counterclockwise as seen from above; NaN: unknown, for
+                                  points also if fewer than three are seen at both ends */
 } stltsa_part;
 
 enum {
@@ -1008,26 +1008,27 @@ enum {
 
 /* Of one quantity of several parts; all are NaN if count is 0. Frozen. */
 typedef struct stltsa_statistics {
-    int64_t count;
-    double mean, sd, cv; /* cv = sd / mean; sd and cv are 0 for one part */
-    double trend;        /* relative change per minute; NaN, as cv is, of turns */
+    int64_t count;       /* parts */
+    double mean, sd;     /* mean; standard deviation, 0 for one part */
+    double cv;           /* sd / mean; NaN of turns */
+    double trend;        /* relative change per minute; NaN of turns */
 } stltsa_statistics;
 
 /* Of the cycles or repetitions of one label. A row. */
 typedef struct stltsa_summary {
-    int64_t label;
-    const char *letters;
-    int64_t count;
+    int64_t label;                   /* of the segments, 0 for A */
+    const char *letters;             /* the label as it is shown */
+    int64_t count;                   /* cycles or repetitions */
     double cycles_per_min;           /* 60 / mean cycle time */
-    stltsa_statistics cycle_time_s;
+    stltsa_statistics cycle_time_s;  /* lengths of the cycles */
     double steps_per_min;            /* NaN without steps */
-    stltsa_statistics step_time_s;
-    double step_time_side_0_s;       /* mean of the steps of side 0 */
-    double step_time_side_1_s;       /* mean of the steps of side 1 */
-    stltsa_statistics path_length;   /* these four of the cycles: see stltsa_part */
-    stltsa_statistics stride;
-    stltsa_statistics speed;
-    stltsa_statistics turn_deg;
+    stltsa_statistics step_time_s;   /* lengths of the steps */
+    double step_time_side_0_s;       /* mean of the steps of side 0; NaN without steps */
+    double step_time_side_1_s;       /* mean of the steps of side 1; NaN without steps */
+    stltsa_statistics path_length;   /* of the cycles, as the next three: see stltsa_part */
+    stltsa_statistics stride;        /* see stltsa_part */
+    stltsa_statistics speed;         /* see stltsa_part */
+    stltsa_statistics turn_deg;      /* see stltsa_part */
 } stltsa_summary;
 
 /* Says what is done when in a recording of any length, and what of it repeats. It finds where the
@@ -1203,10 +1204,10 @@ STLTSA_API int32_t stltsa_side_of_name(const char *name) STLTSA_NOEXCEPT;
 /* A moment, such as a heel strike, that was marked in one cycle and is found in all others. */
 typedef struct stltsa_events stltsa_events;
 
-/* A row. */
+/* A moment that was found, or a mark of the caller. A row. */
 typedef struct stltsa_event {
     double frame;      /* of the file, not rounded */
-    double seconds;
+    double seconds;    /* its time */
     int64_t cycle;     /* index among the cycles of the clip; -1: outside cycles */
     double confidence; /* 0 to 1: ranks the events by the size of their likely errors. In other
                           clips, 98 of 100 events above 0.6 were within 50 ms of the truth, and 7 of
@@ -1248,8 +1249,8 @@ typedef struct stltsa_comparison stltsa_comparison;
  * known, not how the same person moves on another day (docs/answers.md has measurements). Unknown
  * values are NaN; with only one cycle, these are all that depend on the spread. Frozen. */
 typedef struct stltsa_estimate {
-    double first, first_sd;   /* value, standard deviation between cycles */
-    double second, second_sd;
+    double first, first_sd;   /* of the first motion: mean, standard deviation between cycles */
+    double second, second_sd; /* the same of the second */
     double difference;        /* second minus first */
     double standard_error;    /* of the difference */
     double low, high;         /* its confidence interval */
@@ -1258,7 +1259,7 @@ typedef struct stltsa_estimate {
 
 /* An estimate without its parts. Frozen. */
 typedef struct stltsa_bounded {
-    double value;
+    double value;             /* what is estimated */
     double low, high;         /* its 95 % confidence interval */
 } stltsa_bounded;
 
@@ -1280,7 +1281,7 @@ typedef struct stltsa_compared {
                               the first does: points, and skeletons with different joints; else 0 */
     double size_ratio;     /* size of the second body divided by that of the first, from the parts
                               that were compared; NaN: no positions in space, or only one part */
-    stltsa_estimate cycle_time_s;
+    stltsa_estimate cycle_time_s; /* mean length of the cycles */
     int64_t judged;        /* number of lags and amplitudes of parts that have an interval */
     int64_t significant;   /* how many of them are significant */
     double expected_by_chance; /* how many would be if nothing differed */
@@ -1291,9 +1292,9 @@ typedef struct stltsa_compared_motion {
     const char *path;      /* of the clip; "": from memory */
     int64_t frames;        /* of the clip */
     double fps;            /* of the clip; NaN: unknown */
-    int64_t label;
-    const char *letters;
-    int64_t cycles;        /* that were compared */
+    int64_t label;         /* of the segments, 0 for A */
+    const char *letters;   /* the label as it is shown */
+    int64_t cycles;        /* cycles that were compared */
     double cycles_per_min; /* 60 / mean cycle time */
     const char *const *left_out; /* names in this clip that the other one lacks; NULL after the last */
 } stltsa_compared_motion;

@@ -30,9 +30,6 @@ extern "C" {
 extern "C" {
     pub fn stltsa_version() -> *const ::std::os::raw::c_char;
 }
-extern "C" {
-    pub fn stltsa_version_number() -> i32;
-}
 pub const STLTSA_HAS_CHOLMOD: i32 = 1;
 pub const STLTSA_HAS_OPENBLAS: i32 = 2;
 extern "C" {
@@ -300,6 +297,7 @@ pub const STLTSA_OPT_GAPS: i32 = 33;
 pub const STLTSA_OPT_LEAST_CONFIDENCE: i32 = 34;
 pub const STLTSA_OPT_LOOP: i32 = 35;
 pub const STLTSA_OPT_IN_PLACE: i32 = 36;
+pub const STLTSA_OPT_INTRINSIC: i32 = 38;
 pub const STLTSA_OPT_SUBJECT: i32 = 37;
 pub const STLTSA_GAPS_FILL: i32 = 1;
 pub const STLTSA_GAPS_REFUSE: i32 = 2;
@@ -315,10 +313,11 @@ pub const STLTSA_FEATURES_POINTS: i32 = 5;
 pub const STLTSA_TYPE_INT: i32 = 1;
 pub const STLTSA_TYPE_REAL: i32 = 2;
 pub const STLTSA_TYPE_TEXT: i32 = 3;
+pub const STLTSA_TYPE_ROWS: i32 = 4;
+pub const STLTSA_TYPE_ARRAY: i32 = 5;
 pub const STLTSA_CALL_OPEN: i32 = 1;
 pub const STLTSA_CALL_FEATURES: i32 = 2;
 pub const STLTSA_CALL_FIT: i32 = 4;
-pub const STLTSA_CALL_DIMENSION: i32 = 8;
 pub const STLTSA_CALL_MAP: i32 = 16;
 pub const STLTSA_CALL_UNMAP: i32 = 32;
 pub const STLTSA_CALL_DECOMPOSE: i32 = 64;
@@ -495,9 +494,6 @@ fn bindgen_test_layout_stltsa_option_info() {
     test_field_calls();
 }
 extern "C" {
-    pub fn stltsa_option_count() -> i64;
-}
-extern "C" {
     pub fn stltsa_option_describe(index: i64, info: *mut stltsa_option_info) -> stltsa_status;
 }
 extern "C" {
@@ -611,13 +607,11 @@ pub const STLTSA_INFO_PERIOD_ROWS: i32 = 34;
 pub const STLTSA_INFO_REPEATED: i32 = 40;
 pub const STLTSA_INFO_TIME_CORRELATION: i32 = 41;
 pub const STLTSA_INFO_REACH: i32 = 42;
-pub const STLTSA_INFO_COMPONENT_ROWS: i32 = 43;
-pub const STLTSA_INFO_RANK_DEFICIENT: i32 = 44;
-pub const STLTSA_INFO_SOLVES: i32 = 45;
-pub const STLTSA_INFO_RESIDUAL: i32 = 46;
-pub const STLTSA_INFO_ERROR_ESTIMATE: i32 = 47;
-pub const STLTSA_INFO_GAP: i32 = 48;
-pub const STLTSA_INFO_COMPONENTS: i32 = 49;
+pub const STLTSA_INFO_COMPONENT: i32 = 43;
+pub const STLTSA_INFO_HAS_CYCLE: i32 = 44;
+pub const STLTSA_INFO_COORDS: i32 = 45;
+pub const STLTSA_INFO_EIGENVALUES: i32 = 46;
+pub const STLTSA_INFO_COMPONENT_OF: i32 = 47;
 pub const STLTSA_INFO_COORDINATE: i32 = 60;
 pub const STLTSA_INFO_CYCLICITY: i32 = 61;
 pub const STLTSA_INFO_REPRESENTATIVE: i32 = 62;
@@ -625,6 +619,15 @@ pub const STLTSA_INFO_BEST: i32 = 63;
 pub const STLTSA_INFO_REASON: i32 = 64;
 pub const STLTSA_INFO_EIGENVALUE: i32 = 65;
 pub const STLTSA_INFO_POSTURES: i32 = 68;
+pub const STLTSA_INFO_SEGMENT: i32 = 50;
+pub const STLTSA_INFO_UNIT: i32 = 51;
+pub const STLTSA_INFO_CYCLE: i32 = 52;
+pub const STLTSA_INFO_STEP: i32 = 53;
+pub const STLTSA_INFO_REPETITION: i32 = 54;
+pub const STLTSA_INFO_SUMMARY: i32 = 55;
+pub const STLTSA_INFO_SIDE: i32 = 56;
+pub const STLTSA_INFO_CURVE: i32 = 57;
+pub const STLTSA_INFO_LABEL_LIKENESS: i32 = 58;
 pub const STLTSA_INFO_LOCAL_PCA: i32 = 66;
 pub const STLTSA_INFO_EIGENGAP: i32 = 67;
 pub const STLTSA_INFO_LOCAL_PCA_REASON: i32 = 70;
@@ -632,26 +635,20 @@ pub const STLTSA_INFO_EIGENGAP_REASON: i32 = 71;
 pub const STLTSA_INFO_VARIANCE: i32 = 72;
 pub const STLTSA_INFO_EIGENGAP_THRESHOLD: i32 = 73;
 pub const STLTSA_INFO_LOCAL_VARIANCE: i32 = 74;
-pub const STLTSA_INFO_GAMMA: i32 = 80;
-pub const STLTSA_INFO_SHIFT: i32 = 81;
-pub const STLTSA_INFO_NOISE: i32 = 82;
-pub const STLTSA_INFO_DEGREES_OF_FREEDOM: i32 = 83;
-pub const STLTSA_INFO_MOVED: i32 = 84;
+pub const STLTSA_INFO_COLUMN: i32 = 80;
+pub const STLTSA_INFO_CLEANED: i32 = 81;
+pub const STLTSA_INFO_MOVES: i32 = 82;
 pub const STLTSA_INFO_GAMMA_OPTION: i32 = 85;
 pub const STLTSA_INFO_KNOT_ROWS: i32 = 86;
 pub const STLTSA_INFO_ROBUST: i32 = 87;
 pub const STLTSA_INFO_FIT_PERIOD_MIN: i32 = 88;
 pub const STLTSA_INFO_FIT_PERIOD_MAX: i32 = 89;
-pub const STLTSA_INFO_COLUMNS: i32 = 90;
-pub const STLTSA_INFO_NOISE_SHARE: i32 = 91;
 pub const STLTSA_INFO_NOTHING_TO_CLEAN: i32 = 92;
 pub const STLTSA_INFO_CROSSFADE: i32 = 100;
 pub const STLTSA_INFO_CUT_RANGE: i32 = 101;
 pub const STLTSA_INFO_POSTURE_LIMIT: i32 = 102;
-pub const STLTSA_INFO_PIECE_PATH: i32 = 103;
-pub const STLTSA_INFO_PIECE_BEGIN: i32 = 104;
-pub const STLTSA_INFO_PIECE_END: i32 = 105;
-pub const STLTSA_INFO_PIECE_REPEAT: i32 = 106;
+pub const STLTSA_INFO_PIECE: i32 = 103;
+pub const STLTSA_INFO_SEAM: i32 = 104;
 pub const STLTSA_INFO_LOOP: i32 = 107;
 pub const STLTSA_INFO_IN_PLACE: i32 = 108;
 pub const STLTSA_INFO_TRAVEL: i32 = 109;
@@ -660,11 +657,35 @@ pub const STLTSA_INFO_COVERAGE: i32 = 111;
 pub const STLTSA_INFO_LOOP_CYCLES: i32 = 112;
 pub const STLTSA_INFO_SOURCE_CYCLES: i32 = 113;
 pub const STLTSA_INFO_WARNING: i32 = 120;
-pub const STLTSA_INFO_WARNING_CODE: i32 = 121;
-pub const STLTSA_INFO_WARNING_BEGIN: i32 = 122;
-pub const STLTSA_INFO_WARNING_END: i32 = 123;
-pub const STLTSA_INFO_UNIT: i32 = 130;
+pub const STLTSA_INFO_LENGTH_UNIT: i32 = 130;
 pub const STLTSA_INFO_FILE_UP_AXIS: i32 = 131;
+pub const STLTSA_INFO_JOINT: i32 = 132;
+pub const STLTSA_INFO_FILE_EVENT: i32 = 133;
+pub const STLTSA_INFO_CHANNELS: i32 = 134;
+pub const STLTSA_INFO_POSITIONS: i32 = 135;
+pub const STLTSA_INFO_ROTATIONS: i32 = 136;
+pub const STLTSA_INFO_PHASE: i32 = 140;
+pub const STLTSA_INFO_PHASE_RESIDUAL: i32 = 141;
+pub const STLTSA_INFO_PHASE_CYCLE: i32 = 142;
+pub const STLTSA_INFO_PHASE_ZERO: i32 = 143;
+pub const STLTSA_INFO_OWNER: i32 = 144;
+pub const STLTSA_INFO_VALUES: i32 = 150;
+pub const STLTSA_INFO_MEAN: i32 = 151;
+pub const STLTSA_INFO_DEVIATION: i32 = 152;
+pub const STLTSA_INFO_SAMPLE_FRAMES: i32 = 153;
+pub const STLTSA_INFO_WARP: i32 = 154;
+pub const STLTSA_INFO_DISTANCE: i32 = 155;
+pub const STLTSA_INFO_COLUMN_DISTANCE: i32 = 156;
+pub const STLTSA_INFO_EVENT: i32 = 160;
+pub const STLTSA_INFO_LIKENESS: i32 = 161;
+pub const STLTSA_INFO_COMPARISON: i32 = 170;
+pub const STLTSA_INFO_MOTION: i32 = 171;
+pub const STLTSA_INFO_PART: i32 = 172;
+pub const STLTSA_INFO_PART_CHANNEL: i32 = 173;
+pub const STLTSA_INFO_DIFFERENCE: i32 = 174;
+pub const STLTSA_INFO_STANDARD_ERROR: i32 = 175;
+pub const STLTSA_INFO_MARGIN: i32 = 176;
+pub const STLTSA_INFO_MARK: i32 = 180;
 pub const STLTSA_WARNING_FOLLOWS_TIME: i32 = 1;
 pub const STLTSA_WARNING_RANK_DEFICIENT: i32 = 2;
 pub const STLTSA_WARNING_SMALL_GAP: i32 = 3;
@@ -681,6 +702,12 @@ pub const STLTSA_WARNING_SEAM_ACCELERATION: i32 = 13;
 pub const STLTSA_WARNING_NOT_BLENDED: i32 = 14;
 pub const STLTSA_WARNING_NO_ORDER: i32 = 15;
 pub const STLTSA_WARNING_LINEAR_PHASE: i32 = 16;
+pub const STLTSA_WARNING_SEVERAL_PLACES: i32 = 17;
+pub const STLTSA_WARNING_NOT_FOUND: i32 = 18;
+pub const STLTSA_WARNING_FEW_CYCLES: i32 = 19;
+pub const STLTSA_WARNING_NOT_ALIKE: i32 = 20;
+pub const STLTSA_WARNING_UNCERTAIN_SHIFT: i32 = 21;
+pub const STLTSA_WARNING_SIZES_DIFFER: i32 = 22;
 extern "C" {
     pub fn stltsa_info_count(info: *const stltsa_info, key: i32) -> i64;
 }
@@ -708,12 +735,117 @@ extern "C" {
         value: *mut *const ::std::os::raw::c_char,
     ) -> stltsa_status;
 }
+extern "C" {
+    pub fn stltsa_info_rows(
+        info: *const stltsa_info,
+        key: i32,
+        begin: i64,
+        count: i64,
+        rows: *mut ::std::os::raw::c_void,
+        row_size: usize,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_info_array(
+        info: *const stltsa_info,
+        key: i32,
+        index: i64,
+        array: *const stltsa_out,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_info_shape(
+        info: *const stltsa_info,
+        key: i32,
+        rows: *mut i64,
+        cols: *mut i64,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_info_json(
+        info: *const stltsa_info,
+        json: *mut *mut ::std::os::raw::c_char,
+    ) -> stltsa_status;
+}
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_warning {
+    pub code: i64,
+    pub text: *const ::std::os::raw::c_char,
+    pub begin_s: f64,
+    pub end_s: f64,
+}
+#[test]
+fn bindgen_test_layout_stltsa_warning() {
+    assert_eq!(
+        ::std::mem::size_of::<stltsa_warning>(),
+        32usize,
+        concat!("Size of: ", stringify!(stltsa_warning))
+    );
+    assert_eq!(
+        ::std::mem::align_of::<stltsa_warning>(),
+        8usize,
+        concat!("Alignment of ", stringify!(stltsa_warning))
+    );
+    fn test_field_code() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_warning>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).code) as usize - ptr as usize
+            },
+            0usize,
+            concat!("Offset of field: ", stringify!(stltsa_warning), "::", stringify!(code))
+        );
+    }
+    test_field_code();
+    fn test_field_text() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_warning>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).text) as usize - ptr as usize
+            },
+            8usize,
+            concat!("Offset of field: ", stringify!(stltsa_warning), "::", stringify!(text))
+        );
+    }
+    test_field_text();
+    fn test_field_begin_s() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_warning>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).begin_s) as usize - ptr as usize
+            },
+            16usize,
+            concat!("Offset of field: ", stringify!(stltsa_warning), "::", stringify!(begin_s))
+        );
+    }
+    test_field_begin_s();
+    fn test_field_end_s() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_warning>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).end_s) as usize - ptr as usize
+            },
+            24usize,
+            concat!("Offset of field: ", stringify!(stltsa_warning), "::", stringify!(end_s))
+        );
+    }
+    test_field_end_s();
+}
 pub const STLTSA_HANDLE_CLIP: i32 = 1;
 pub const STLTSA_HANDLE_MODEL: i32 = 2;
-pub const STLTSA_HANDLE_DIMENSION: i32 = 4;
+pub const STLTSA_HANDLE_PHASE: i32 = 4;
 pub const STLTSA_HANDLE_DECOMPOSITION: i32 = 8;
 pub const STLTSA_HANDLE_DENOISING: i32 = 16;
 pub const STLTSA_HANDLE_SYNTHESIS: i32 = 32;
+pub const STLTSA_HANDLE_CYCLES: i32 = 64;
+pub const STLTSA_HANDLE_EVENTS: i32 = 128;
+pub const STLTSA_HANDLE_COMPARISON: i32 = 256;
+pub const STLTSA_HANDLE_LIVE: i32 = 512;
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct stltsa_info_key {
@@ -836,9 +968,6 @@ fn bindgen_test_layout_stltsa_info_key() {
     test_field_handles();
 }
 extern "C" {
-    pub fn stltsa_info_key_count() -> i64;
-}
-extern "C" {
     pub fn stltsa_info_describe(index: i64, key: *mut stltsa_info_key) -> stltsa_status;
 }
 #[repr(C)]
@@ -860,6 +989,13 @@ pub const STLTSA_FORMAT_MOT: i32 = 11;
 extern "C" {
     pub fn stltsa_clip_open(
         path: *const ::std::os::raw::c_char,
+        options: *const stltsa_options,
+        clip: *mut *mut stltsa_clip,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_clip_open_stretch(
+        text: *const ::std::os::raw::c_char,
         options: *const stltsa_options,
         clip: *mut *mut stltsa_clip,
     ) -> stltsa_status;
@@ -1012,19 +1148,17 @@ extern "C" {
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct stltsa_joint {
-    pub size: usize,
     pub name: *const ::std::os::raw::c_char,
     pub parent: i64,
     pub offset: [f64; 3usize],
     pub channels: *const ::std::os::raw::c_char,
-    pub is_end_site: i32,
-    pub reserved: i32,
+    pub is_end_site: i64,
 }
 #[test]
 fn bindgen_test_layout_stltsa_joint() {
     assert_eq!(
         ::std::mem::size_of::<stltsa_joint>(),
-        64usize,
+        56usize,
         concat!("Size of: ", stringify!(stltsa_joint))
     );
     assert_eq!(
@@ -1032,18 +1166,6 @@ fn bindgen_test_layout_stltsa_joint() {
         8usize,
         concat!("Alignment of ", stringify!(stltsa_joint))
     );
-    fn test_field_size() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_joint>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).size) as usize - ptr as usize
-            },
-            0usize,
-            concat!("Offset of field: ", stringify!(stltsa_joint), "::", stringify!(size))
-        );
-    }
-    test_field_size();
     fn test_field_name() {
         assert_eq!(
             unsafe {
@@ -1051,7 +1173,7 @@ fn bindgen_test_layout_stltsa_joint() {
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).name) as usize - ptr as usize
             },
-            8usize,
+            0usize,
             concat!("Offset of field: ", stringify!(stltsa_joint), "::", stringify!(name))
         );
     }
@@ -1063,7 +1185,7 @@ fn bindgen_test_layout_stltsa_joint() {
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).parent) as usize - ptr as usize
             },
-            16usize,
+            8usize,
             concat!("Offset of field: ", stringify!(stltsa_joint), "::", stringify!(parent))
         );
     }
@@ -1075,7 +1197,7 @@ fn bindgen_test_layout_stltsa_joint() {
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).offset) as usize - ptr as usize
             },
-            24usize,
+            16usize,
             concat!("Offset of field: ", stringify!(stltsa_joint), "::", stringify!(offset))
         );
     }
@@ -1087,7 +1209,7 @@ fn bindgen_test_layout_stltsa_joint() {
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).channels) as usize - ptr as usize
             },
-            48usize,
+            40usize,
             concat!("Offset of field: ", stringify!(stltsa_joint), "::", stringify!(channels))
         );
     }
@@ -1099,23 +1221,11 @@ fn bindgen_test_layout_stltsa_joint() {
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).is_end_site) as usize - ptr as usize
             },
-            56usize,
+            48usize,
             concat!("Offset of field: ", stringify!(stltsa_joint), "::", stringify!(is_end_site))
         );
     }
     test_field_is_end_site();
-    fn test_field_reserved() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_joint>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).reserved) as usize - ptr as usize
-            },
-            60usize,
-            concat!("Offset of field: ", stringify!(stltsa_joint), "::", stringify!(reserved))
-        );
-    }
-    test_field_reserved();
 }
 pub const STLTSA_ROTATIONS_QUATERNION: i32 = 1;
 pub const STLTSA_ROTATIONS_MATRIX: i32 = 2;
@@ -1123,6 +1233,7 @@ pub const STLTSA_ROTATIONS_CHANNELS: i32 = 3;
 extern "C" {
     pub fn stltsa_clip_from_skeleton(
         joints: *const stltsa_joint,
+        joint_size: usize,
         count: i64,
         form: i32,
         rotations: *const stltsa_in,
@@ -1164,26 +1275,9 @@ extern "C" {
 extern "C" {
     pub fn stltsa_clip_fps(clip: *const stltsa_clip) -> f64;
 }
-extern "C" {
-    pub fn stltsa_clip_format(clip: *const stltsa_clip) -> i32;
-}
-extern "C" {
-    pub fn stltsa_clip_channels(clip: *const stltsa_clip) -> i64;
-}
-extern "C" {
-    pub fn stltsa_clip_joints(clip: *const stltsa_clip) -> i64;
-}
-extern "C" {
-    pub fn stltsa_clip_joint(
-        clip: *const stltsa_clip,
-        index: i64,
-        joint: *mut stltsa_joint,
-    ) -> stltsa_status;
-}
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct stltsa_file_event {
-    pub size: usize,
     pub label: *const ::std::os::raw::c_char,
     pub context: *const ::std::os::raw::c_char,
     pub frame: f64,
@@ -1193,7 +1287,7 @@ pub struct stltsa_file_event {
 fn bindgen_test_layout_stltsa_file_event() {
     assert_eq!(
         ::std::mem::size_of::<stltsa_file_event>(),
-        40usize,
+        32usize,
         concat!("Size of: ", stringify!(stltsa_file_event))
     );
     assert_eq!(
@@ -1201,18 +1295,6 @@ fn bindgen_test_layout_stltsa_file_event() {
         8usize,
         concat!("Alignment of ", stringify!(stltsa_file_event))
     );
-    fn test_field_size() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_file_event>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).size) as usize - ptr as usize
-            },
-            0usize,
-            concat!("Offset of field: ", stringify!(stltsa_file_event), "::", stringify!(size))
-        );
-    }
-    test_field_size();
     fn test_field_label() {
         assert_eq!(
             unsafe {
@@ -1220,7 +1302,7 @@ fn bindgen_test_layout_stltsa_file_event() {
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).label) as usize - ptr as usize
             },
-            8usize,
+            0usize,
             concat!("Offset of field: ", stringify!(stltsa_file_event), "::", stringify!(label))
         );
     }
@@ -1232,7 +1314,7 @@ fn bindgen_test_layout_stltsa_file_event() {
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).context) as usize - ptr as usize
             },
-            16usize,
+            8usize,
             concat!("Offset of field: ", stringify!(stltsa_file_event), "::", stringify!(context))
         );
     }
@@ -1244,7 +1326,7 @@ fn bindgen_test_layout_stltsa_file_event() {
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).frame) as usize - ptr as usize
             },
-            24usize,
+            16usize,
             concat!("Offset of field: ", stringify!(stltsa_file_event), "::", stringify!(frame))
         );
     }
@@ -1256,33 +1338,11 @@ fn bindgen_test_layout_stltsa_file_event() {
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).seconds) as usize - ptr as usize
             },
-            32usize,
+            24usize,
             concat!("Offset of field: ", stringify!(stltsa_file_event), "::", stringify!(seconds))
         );
     }
     test_field_seconds();
-}
-extern "C" {
-    pub fn stltsa_clip_event_count(clip: *const stltsa_clip) -> i64;
-}
-extern "C" {
-    pub fn stltsa_clip_event(
-        clip: *const stltsa_clip,
-        index: i64,
-        event: *mut stltsa_file_event,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_clip_positions(
-        clip: *const stltsa_clip,
-        positions: *const stltsa_out,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_clip_rotations(
-        clip: *const stltsa_clip,
-        rotations: *const stltsa_out,
-    ) -> stltsa_status;
 }
 extern "C" {
     pub fn stltsa_clip_feature_count(
@@ -1299,19 +1359,7 @@ extern "C" {
     ) -> stltsa_status;
 }
 extern "C" {
-    pub fn stltsa_clip_json(
-        clip: *const stltsa_clip,
-        json: *mut *mut ::std::os::raw::c_char,
-    ) -> stltsa_status;
-}
-extern "C" {
     pub fn stltsa_clip_save(
-        clip: *const stltsa_clip,
-        path: *const ::std::os::raw::c_char,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_clip_save_with(
         clip: *const stltsa_clip,
         path: *const ::std::os::raw::c_char,
         options: *const stltsa_options,
@@ -1331,13 +1379,6 @@ extern "C" {
     ) -> stltsa_status;
 }
 extern "C" {
-    pub fn stltsa_fit_clip(
-        clip: *const stltsa_clip,
-        options: *const stltsa_options,
-        model: *mut *mut stltsa_model,
-    ) -> stltsa_status;
-}
-extern "C" {
     pub fn stltsa_fit_clips(
         clips: *const *const stltsa_clip,
         count: i64,
@@ -1351,102 +1392,110 @@ extern "C" {
 extern "C" {
     pub fn stltsa_model_info(model: *const stltsa_model) -> *const stltsa_info;
 }
-extern "C" {
-    pub fn stltsa_model_coords(
-        model: *const stltsa_model,
-        coords: *const stltsa_out,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_model_eigenvalues(
-        model: *const stltsa_model,
-        values: *const stltsa_out,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_model_components(
-        model: *const stltsa_model,
-        labels: *const stltsa_out,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_model_warning_count(model: *const stltsa_model) -> i64;
-}
-extern "C" {
-    pub fn stltsa_model_warning(
-        model: *const stltsa_model,
-        index: i64,
-    ) -> *const ::std::os::raw::c_char;
-}
-extern "C" {
-    pub fn stltsa_model_json(
-        model: *const stltsa_model,
-        json: *mut *mut ::std::os::raw::c_char,
-    ) -> stltsa_status;
-}
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
-pub struct stltsa_dimension {
-    _unused: [u8; 0],
+pub struct stltsa_component {
+    pub frames: i64,
+    pub residual: f64,
+    pub error_estimate_rad: f64,
+    pub gap: f64,
+    pub rank_deficient_windows: i64,
+    pub solves: i64,
 }
-extern "C" {
-    pub fn stltsa_estimate_dimension(
-        frames: *const stltsa_in,
-        lengths: *const stltsa_in,
-        options: *const stltsa_options,
-        dimension: *mut *mut stltsa_dimension,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_estimate_dimension_clip(
-        clip: *const stltsa_clip,
-        options: *const stltsa_options,
-        dimension: *mut *mut stltsa_dimension,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_estimate_dimension_clips(
-        clips: *const *const stltsa_clip,
-        count: i64,
-        options: *const stltsa_options,
-        dimension: *mut *mut stltsa_dimension,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_dimension_free(dimension: *mut stltsa_dimension);
-}
-extern "C" {
-    pub fn stltsa_dimension_info(dimension: *const stltsa_dimension) -> *const stltsa_info;
-}
-extern "C" {
-    pub fn stltsa_dimension_eigengap(
-        dimension: *const stltsa_dimension,
-        reason: *mut *const ::std::os::raw::c_char,
-    ) -> i64;
-}
-extern "C" {
-    pub fn stltsa_dimension_local_pca(
-        dimension: *const stltsa_dimension,
-        reason: *mut *const ::std::os::raw::c_char,
-    ) -> i64;
-}
-extern "C" {
-    pub fn stltsa_dimension_eigenvalues(
-        dimension: *const stltsa_dimension,
-        values: *const stltsa_out,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_dimension_local_variances(
-        dimension: *const stltsa_dimension,
-        shares: *const stltsa_out,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_dimension_json(
-        dimension: *const stltsa_dimension,
-        json: *mut *mut ::std::os::raw::c_char,
-    ) -> stltsa_status;
+#[test]
+fn bindgen_test_layout_stltsa_component() {
+    assert_eq!(
+        ::std::mem::size_of::<stltsa_component>(),
+        48usize,
+        concat!("Size of: ", stringify!(stltsa_component))
+    );
+    assert_eq!(
+        ::std::mem::align_of::<stltsa_component>(),
+        8usize,
+        concat!("Alignment of ", stringify!(stltsa_component))
+    );
+    fn test_field_frames() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_component>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).frames) as usize - ptr as usize
+            },
+            0usize,
+            concat!("Offset of field: ", stringify!(stltsa_component), "::", stringify!(frames))
+        );
+    }
+    test_field_frames();
+    fn test_field_residual() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_component>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).residual) as usize - ptr as usize
+            },
+            8usize,
+            concat!("Offset of field: ", stringify!(stltsa_component), "::", stringify!(residual))
+        );
+    }
+    test_field_residual();
+    fn test_field_error_estimate_rad() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_component>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).error_estimate_rad) as usize - ptr as usize
+            },
+            16usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_component),
+                "::",
+                stringify!(error_estimate_rad)
+            )
+        );
+    }
+    test_field_error_estimate_rad();
+    fn test_field_gap() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_component>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).gap) as usize - ptr as usize
+            },
+            24usize,
+            concat!("Offset of field: ", stringify!(stltsa_component), "::", stringify!(gap))
+        );
+    }
+    test_field_gap();
+    fn test_field_rank_deficient_windows() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_component>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).rank_deficient_windows) as usize - ptr as usize
+            },
+            32usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_component),
+                "::",
+                stringify!(rank_deficient_windows)
+            )
+        );
+    }
+    test_field_rank_deficient_windows();
+    fn test_field_solves() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_component>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).solves) as usize - ptr as usize
+            },
+            40usize,
+            concat!("Offset of field: ", stringify!(stltsa_component), "::", stringify!(solves))
+        );
+    }
+    test_field_solves();
 }
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
@@ -1459,10 +1508,9 @@ pub const STLTSA_UNIT_CYCLIC: i32 = 3;
 pub const STLTSA_UNIT_FINAL: i32 = 4;
 pub const STLTSA_UNIT_WIND_UP: i32 = 5;
 pub const STLTSA_UNIT_ACTION: i32 = 6;
-pub const STLTSA_UNIT_CYCLE: i32 = 7;
 pub const STLTSA_UNIT_HOLD: i32 = 8;
 extern "C" {
-    pub fn stltsa_unit_name(kind: i32) -> *const ::std::os::raw::c_char;
+    pub fn stltsa_unit_name(kind: i64) -> *const ::std::os::raw::c_char;
 }
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
@@ -1471,14 +1519,12 @@ pub struct stltsa_interval {
     pub end: i64,
     pub begin_s: f64,
     pub end_s: f64,
-    pub kind: i32,
-    pub segment: i32,
 }
 #[test]
 fn bindgen_test_layout_stltsa_interval() {
     assert_eq!(
         ::std::mem::size_of::<stltsa_interval>(),
-        40usize,
+        32usize,
         concat!("Size of: ", stringify!(stltsa_interval))
     );
     assert_eq!(
@@ -1534,30 +1580,101 @@ fn bindgen_test_layout_stltsa_interval() {
         );
     }
     test_field_end_s();
+}
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_unit {
+    pub kind: i64,
+    pub segment: i64,
+    pub begin: i64,
+    pub end: i64,
+    pub begin_s: f64,
+    pub end_s: f64,
+}
+#[test]
+fn bindgen_test_layout_stltsa_unit() {
+    assert_eq!(
+        ::std::mem::size_of::<stltsa_unit>(),
+        48usize,
+        concat!("Size of: ", stringify!(stltsa_unit))
+    );
+    assert_eq!(
+        ::std::mem::align_of::<stltsa_unit>(),
+        8usize,
+        concat!("Alignment of ", stringify!(stltsa_unit))
+    );
     fn test_field_kind() {
         assert_eq!(
             unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_interval>::uninit();
+                let uninit = ::std::mem::MaybeUninit::<stltsa_unit>::uninit();
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).kind) as usize - ptr as usize
             },
-            32usize,
-            concat!("Offset of field: ", stringify!(stltsa_interval), "::", stringify!(kind))
+            0usize,
+            concat!("Offset of field: ", stringify!(stltsa_unit), "::", stringify!(kind))
         );
     }
     test_field_kind();
     fn test_field_segment() {
         assert_eq!(
             unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_interval>::uninit();
+                let uninit = ::std::mem::MaybeUninit::<stltsa_unit>::uninit();
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).segment) as usize - ptr as usize
             },
-            36usize,
-            concat!("Offset of field: ", stringify!(stltsa_interval), "::", stringify!(segment))
+            8usize,
+            concat!("Offset of field: ", stringify!(stltsa_unit), "::", stringify!(segment))
         );
     }
     test_field_segment();
+    fn test_field_begin() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_unit>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).begin) as usize - ptr as usize
+            },
+            16usize,
+            concat!("Offset of field: ", stringify!(stltsa_unit), "::", stringify!(begin))
+        );
+    }
+    test_field_begin();
+    fn test_field_end() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_unit>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).end) as usize - ptr as usize
+            },
+            24usize,
+            concat!("Offset of field: ", stringify!(stltsa_unit), "::", stringify!(end))
+        );
+    }
+    test_field_end();
+    fn test_field_begin_s() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_unit>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).begin_s) as usize - ptr as usize
+            },
+            32usize,
+            concat!("Offset of field: ", stringify!(stltsa_unit), "::", stringify!(begin_s))
+        );
+    }
+    test_field_begin_s();
+    fn test_field_end_s() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_unit>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).end_s) as usize - ptr as usize
+            },
+            40usize,
+            concat!("Offset of field: ", stringify!(stltsa_unit), "::", stringify!(end_s))
+        );
+    }
+    test_field_end_s();
 }
 extern "C" {
     pub fn stltsa_clip_find(
@@ -1574,31 +1691,37 @@ pub const STLTSA_SEGMENT_REPETITIONS: i32 = 2;
 pub const STLTSA_SEGMENT_ACTION: i32 = 3;
 pub const STLTSA_SEGMENT_REST: i32 = 4;
 extern "C" {
-    pub fn stltsa_segment_name(kind: i32) -> *const ::std::os::raw::c_char;
+    pub fn stltsa_segment_name(kind: i64) -> *const ::std::os::raw::c_char;
 }
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct stltsa_segment {
+    pub kind: i64,
+    pub label: i64,
+    pub letters: *const ::std::os::raw::c_char,
+    pub likeness: f64,
     pub begin: i64,
     pub end: i64,
     pub begin_s: f64,
     pub end_s: f64,
-    pub count: i64,
-    pub likeness: f64,
     pub period_s: f64,
     pub candidate_period_s: f64,
+    pub count: i64,
+    pub carried_by: *const *const ::std::os::raw::c_char,
+    pub open_begin: i64,
+    pub open_end: i64,
     pub confidence: f64,
     pub begin_confidence: f64,
-    pub kind: i32,
-    pub label: i32,
-    pub open_begin: i32,
-    pub open_end: i32,
+    pub reason: *const ::std::os::raw::c_char,
+    pub first_step_share: f64,
+    pub first_step_margin: f64,
+    pub steps_reason: *const ::std::os::raw::c_char,
 }
 #[test]
 fn bindgen_test_layout_stltsa_segment() {
     assert_eq!(
         ::std::mem::size_of::<stltsa_segment>(),
-        96usize,
+        160usize,
         concat!("Size of: ", stringify!(stltsa_segment))
     );
     assert_eq!(
@@ -1606,136 +1729,6 @@ fn bindgen_test_layout_stltsa_segment() {
         8usize,
         concat!("Alignment of ", stringify!(stltsa_segment))
     );
-    fn test_field_begin() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).begin) as usize - ptr as usize
-            },
-            0usize,
-            concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(begin))
-        );
-    }
-    test_field_begin();
-    fn test_field_end() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).end) as usize - ptr as usize
-            },
-            8usize,
-            concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(end))
-        );
-    }
-    test_field_end();
-    fn test_field_begin_s() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).begin_s) as usize - ptr as usize
-            },
-            16usize,
-            concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(begin_s))
-        );
-    }
-    test_field_begin_s();
-    fn test_field_end_s() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).end_s) as usize - ptr as usize
-            },
-            24usize,
-            concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(end_s))
-        );
-    }
-    test_field_end_s();
-    fn test_field_count() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).count) as usize - ptr as usize
-            },
-            32usize,
-            concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(count))
-        );
-    }
-    test_field_count();
-    fn test_field_likeness() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).likeness) as usize - ptr as usize
-            },
-            40usize,
-            concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(likeness))
-        );
-    }
-    test_field_likeness();
-    fn test_field_period_s() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).period_s) as usize - ptr as usize
-            },
-            48usize,
-            concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(period_s))
-        );
-    }
-    test_field_period_s();
-    fn test_field_candidate_period_s() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).candidate_period_s) as usize - ptr as usize
-            },
-            56usize,
-            concat!(
-                "Offset of field: ",
-                stringify!(stltsa_segment),
-                "::",
-                stringify!(candidate_period_s)
-            )
-        );
-    }
-    test_field_candidate_period_s();
-    fn test_field_confidence() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).confidence) as usize - ptr as usize
-            },
-            64usize,
-            concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(confidence))
-        );
-    }
-    test_field_confidence();
-    fn test_field_begin_confidence() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).begin_confidence) as usize - ptr as usize
-            },
-            72usize,
-            concat!(
-                "Offset of field: ",
-                stringify!(stltsa_segment),
-                "::",
-                stringify!(begin_confidence)
-            )
-        );
-    }
-    test_field_begin_confidence();
     fn test_field_kind() {
         assert_eq!(
             unsafe {
@@ -1743,7 +1736,7 @@ fn bindgen_test_layout_stltsa_segment() {
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).kind) as usize - ptr as usize
             },
-            80usize,
+            0usize,
             concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(kind))
         );
     }
@@ -1755,11 +1748,136 @@ fn bindgen_test_layout_stltsa_segment() {
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).label) as usize - ptr as usize
             },
-            84usize,
+            8usize,
             concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(label))
         );
     }
     test_field_label();
+    fn test_field_letters() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).letters) as usize - ptr as usize
+            },
+            16usize,
+            concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(letters))
+        );
+    }
+    test_field_letters();
+    fn test_field_likeness() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).likeness) as usize - ptr as usize
+            },
+            24usize,
+            concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(likeness))
+        );
+    }
+    test_field_likeness();
+    fn test_field_begin() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).begin) as usize - ptr as usize
+            },
+            32usize,
+            concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(begin))
+        );
+    }
+    test_field_begin();
+    fn test_field_end() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).end) as usize - ptr as usize
+            },
+            40usize,
+            concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(end))
+        );
+    }
+    test_field_end();
+    fn test_field_begin_s() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).begin_s) as usize - ptr as usize
+            },
+            48usize,
+            concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(begin_s))
+        );
+    }
+    test_field_begin_s();
+    fn test_field_end_s() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).end_s) as usize - ptr as usize
+            },
+            56usize,
+            concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(end_s))
+        );
+    }
+    test_field_end_s();
+    fn test_field_period_s() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).period_s) as usize - ptr as usize
+            },
+            64usize,
+            concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(period_s))
+        );
+    }
+    test_field_period_s();
+    fn test_field_candidate_period_s() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).candidate_period_s) as usize - ptr as usize
+            },
+            72usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_segment),
+                "::",
+                stringify!(candidate_period_s)
+            )
+        );
+    }
+    test_field_candidate_period_s();
+    fn test_field_count() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).count) as usize - ptr as usize
+            },
+            80usize,
+            concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(count))
+        );
+    }
+    test_field_count();
+    fn test_field_carried_by() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).carried_by) as usize - ptr as usize
+            },
+            88usize,
+            concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(carried_by))
+        );
+    }
+    test_field_carried_by();
     fn test_field_open_begin() {
         assert_eq!(
             unsafe {
@@ -1767,7 +1885,7 @@ fn bindgen_test_layout_stltsa_segment() {
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).open_begin) as usize - ptr as usize
             },
-            88usize,
+            96usize,
             concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(open_begin))
         );
     }
@@ -1779,31 +1897,129 @@ fn bindgen_test_layout_stltsa_segment() {
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).open_end) as usize - ptr as usize
             },
-            92usize,
+            104usize,
             concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(open_end))
         );
     }
     test_field_open_end();
+    fn test_field_confidence() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).confidence) as usize - ptr as usize
+            },
+            112usize,
+            concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(confidence))
+        );
+    }
+    test_field_confidence();
+    fn test_field_begin_confidence() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).begin_confidence) as usize - ptr as usize
+            },
+            120usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_segment),
+                "::",
+                stringify!(begin_confidence)
+            )
+        );
+    }
+    test_field_begin_confidence();
+    fn test_field_reason() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).reason) as usize - ptr as usize
+            },
+            128usize,
+            concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(reason))
+        );
+    }
+    test_field_reason();
+    fn test_field_first_step_share() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).first_step_share) as usize - ptr as usize
+            },
+            136usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_segment),
+                "::",
+                stringify!(first_step_share)
+            )
+        );
+    }
+    test_field_first_step_share();
+    fn test_field_first_step_margin() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).first_step_margin) as usize - ptr as usize
+            },
+            144usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_segment),
+                "::",
+                stringify!(first_step_margin)
+            )
+        );
+    }
+    test_field_first_step_margin();
+    fn test_field_steps_reason() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).steps_reason) as usize - ptr as usize
+            },
+            152usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_segment),
+                "::",
+                stringify!(steps_reason)
+            )
+        );
+    }
+    test_field_steps_reason();
 }
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct stltsa_part {
+    pub segment: i64,
+    pub cycle: i64,
+    pub label: i64,
+    pub letters: *const ::std::os::raw::c_char,
     pub begin: i64,
     pub end: i64,
     pub begin_s: f64,
     pub end_s: f64,
-    pub segment: i64,
-    pub parent: i64,
+    pub side: i64,
+    pub side_name: *const ::std::os::raw::c_char,
     pub likeness: f64,
     pub confidence: f64,
-    pub side: i32,
-    pub reserved: i32,
+    pub path_length: f64,
+    pub stride: f64,
+    pub speed: f64,
+    pub turn_deg: f64,
 }
 #[test]
 fn bindgen_test_layout_stltsa_part() {
     assert_eq!(
         ::std::mem::size_of::<stltsa_part>(),
-        72usize,
+        128usize,
         concat!("Size of: ", stringify!(stltsa_part))
     );
     assert_eq!(
@@ -1811,6 +2027,54 @@ fn bindgen_test_layout_stltsa_part() {
         8usize,
         concat!("Alignment of ", stringify!(stltsa_part))
     );
+    fn test_field_segment() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_part>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).segment) as usize - ptr as usize
+            },
+            0usize,
+            concat!("Offset of field: ", stringify!(stltsa_part), "::", stringify!(segment))
+        );
+    }
+    test_field_segment();
+    fn test_field_cycle() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_part>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).cycle) as usize - ptr as usize
+            },
+            8usize,
+            concat!("Offset of field: ", stringify!(stltsa_part), "::", stringify!(cycle))
+        );
+    }
+    test_field_cycle();
+    fn test_field_label() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_part>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).label) as usize - ptr as usize
+            },
+            16usize,
+            concat!("Offset of field: ", stringify!(stltsa_part), "::", stringify!(label))
+        );
+    }
+    test_field_label();
+    fn test_field_letters() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_part>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).letters) as usize - ptr as usize
+            },
+            24usize,
+            concat!("Offset of field: ", stringify!(stltsa_part), "::", stringify!(letters))
+        );
+    }
+    test_field_letters();
     fn test_field_begin() {
         assert_eq!(
             unsafe {
@@ -1818,7 +2082,7 @@ fn bindgen_test_layout_stltsa_part() {
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).begin) as usize - ptr as usize
             },
-            0usize,
+            32usize,
             concat!("Offset of field: ", stringify!(stltsa_part), "::", stringify!(begin))
         );
     }
@@ -1830,7 +2094,7 @@ fn bindgen_test_layout_stltsa_part() {
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).end) as usize - ptr as usize
             },
-            8usize,
+            40usize,
             concat!("Offset of field: ", stringify!(stltsa_part), "::", stringify!(end))
         );
     }
@@ -1842,7 +2106,7 @@ fn bindgen_test_layout_stltsa_part() {
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).begin_s) as usize - ptr as usize
             },
-            16usize,
+            48usize,
             concat!("Offset of field: ", stringify!(stltsa_part), "::", stringify!(begin_s))
         );
     }
@@ -1854,59 +2118,11 @@ fn bindgen_test_layout_stltsa_part() {
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).end_s) as usize - ptr as usize
             },
-            24usize,
+            56usize,
             concat!("Offset of field: ", stringify!(stltsa_part), "::", stringify!(end_s))
         );
     }
     test_field_end_s();
-    fn test_field_segment() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_part>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).segment) as usize - ptr as usize
-            },
-            32usize,
-            concat!("Offset of field: ", stringify!(stltsa_part), "::", stringify!(segment))
-        );
-    }
-    test_field_segment();
-    fn test_field_parent() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_part>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).parent) as usize - ptr as usize
-            },
-            40usize,
-            concat!("Offset of field: ", stringify!(stltsa_part), "::", stringify!(parent))
-        );
-    }
-    test_field_parent();
-    fn test_field_likeness() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_part>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).likeness) as usize - ptr as usize
-            },
-            48usize,
-            concat!("Offset of field: ", stringify!(stltsa_part), "::", stringify!(likeness))
-        );
-    }
-    test_field_likeness();
-    fn test_field_confidence() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_part>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).confidence) as usize - ptr as usize
-            },
-            56usize,
-            concat!("Offset of field: ", stringify!(stltsa_part), "::", stringify!(confidence))
-        );
-    }
-    test_field_confidence();
     fn test_field_side() {
         assert_eq!(
             unsafe {
@@ -1919,93 +2135,93 @@ fn bindgen_test_layout_stltsa_part() {
         );
     }
     test_field_side();
-    fn test_field_reserved() {
+    fn test_field_side_name() {
         assert_eq!(
             unsafe {
                 let uninit = ::std::mem::MaybeUninit::<stltsa_part>::uninit();
                 let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).reserved) as usize - ptr as usize
+                ::std::ptr::addr_of!((*ptr).side_name) as usize - ptr as usize
             },
-            68usize,
-            concat!("Offset of field: ", stringify!(stltsa_part), "::", stringify!(reserved))
+            72usize,
+            concat!("Offset of field: ", stringify!(stltsa_part), "::", stringify!(side_name))
         );
     }
-    test_field_reserved();
-}
-pub const STLTSA_PART_CYCLE: i32 = 1;
-pub const STLTSA_PART_STEP: i32 = 2;
-pub const STLTSA_PART_REPETITION: i32 = 3;
-#[repr(C)]
-#[derive(Debug, Copy, Clone)]
-pub struct stltsa_travel {
-    pub way: f64,
-    pub stride: f64,
-    pub speed: f64,
-    pub turn: f64,
-}
-#[test]
-fn bindgen_test_layout_stltsa_travel() {
-    assert_eq!(
-        ::std::mem::size_of::<stltsa_travel>(),
-        32usize,
-        concat!("Size of: ", stringify!(stltsa_travel))
-    );
-    assert_eq!(
-        ::std::mem::align_of::<stltsa_travel>(),
-        8usize,
-        concat!("Alignment of ", stringify!(stltsa_travel))
-    );
-    fn test_field_way() {
+    test_field_side_name();
+    fn test_field_likeness() {
         assert_eq!(
             unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_travel>::uninit();
+                let uninit = ::std::mem::MaybeUninit::<stltsa_part>::uninit();
                 let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).way) as usize - ptr as usize
+                ::std::ptr::addr_of!((*ptr).likeness) as usize - ptr as usize
             },
-            0usize,
-            concat!("Offset of field: ", stringify!(stltsa_travel), "::", stringify!(way))
+            80usize,
+            concat!("Offset of field: ", stringify!(stltsa_part), "::", stringify!(likeness))
         );
     }
-    test_field_way();
+    test_field_likeness();
+    fn test_field_confidence() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_part>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).confidence) as usize - ptr as usize
+            },
+            88usize,
+            concat!("Offset of field: ", stringify!(stltsa_part), "::", stringify!(confidence))
+        );
+    }
+    test_field_confidence();
+    fn test_field_path_length() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_part>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).path_length) as usize - ptr as usize
+            },
+            96usize,
+            concat!("Offset of field: ", stringify!(stltsa_part), "::", stringify!(path_length))
+        );
+    }
+    test_field_path_length();
     fn test_field_stride() {
         assert_eq!(
             unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_travel>::uninit();
+                let uninit = ::std::mem::MaybeUninit::<stltsa_part>::uninit();
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).stride) as usize - ptr as usize
             },
-            8usize,
-            concat!("Offset of field: ", stringify!(stltsa_travel), "::", stringify!(stride))
+            104usize,
+            concat!("Offset of field: ", stringify!(stltsa_part), "::", stringify!(stride))
         );
     }
     test_field_stride();
     fn test_field_speed() {
         assert_eq!(
             unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_travel>::uninit();
+                let uninit = ::std::mem::MaybeUninit::<stltsa_part>::uninit();
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).speed) as usize - ptr as usize
             },
-            16usize,
-            concat!("Offset of field: ", stringify!(stltsa_travel), "::", stringify!(speed))
+            112usize,
+            concat!("Offset of field: ", stringify!(stltsa_part), "::", stringify!(speed))
         );
     }
     test_field_speed();
-    fn test_field_turn() {
+    fn test_field_turn_deg() {
         assert_eq!(
             unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_travel>::uninit();
+                let uninit = ::std::mem::MaybeUninit::<stltsa_part>::uninit();
                 let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).turn) as usize - ptr as usize
+                ::std::ptr::addr_of!((*ptr).turn_deg) as usize - ptr as usize
             },
-            24usize,
-            concat!("Offset of field: ", stringify!(stltsa_travel), "::", stringify!(turn))
+            120usize,
+            concat!("Offset of field: ", stringify!(stltsa_part), "::", stringify!(turn_deg))
         );
     }
-    test_field_turn();
+    test_field_turn_deg();
 }
 pub const STLTSA_QUANTITY_TIME: i32 = 1;
-pub const STLTSA_QUANTITY_WAY: i32 = 2;
+pub const STLTSA_QUANTITY_PATH_LENGTH: i32 = 2;
 pub const STLTSA_QUANTITY_STRIDE: i32 = 3;
 pub const STLTSA_QUANTITY_SPEED: i32 = 4;
 pub const STLTSA_QUANTITY_TURN: i32 = 5;
@@ -2094,20 +2310,25 @@ fn bindgen_test_layout_stltsa_statistics() {
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct stltsa_summary {
+    pub label: i64,
+    pub letters: *const ::std::os::raw::c_char,
     pub count: i64,
-    pub per_minute: f64,
-    pub mean_s: f64,
-    pub sd_s: f64,
-    pub cv: f64,
-    pub trend: f64,
-    pub label: i32,
-    pub reserved: i32,
+    pub cycles_per_min: f64,
+    pub cycle_time_s: stltsa_statistics,
+    pub steps_per_min: f64,
+    pub step_time_s: stltsa_statistics,
+    pub step_time_side_0_s: f64,
+    pub step_time_side_1_s: f64,
+    pub path_length: stltsa_statistics,
+    pub stride: stltsa_statistics,
+    pub speed: stltsa_statistics,
+    pub turn_deg: stltsa_statistics,
 }
 #[test]
 fn bindgen_test_layout_stltsa_summary() {
     assert_eq!(
         ::std::mem::size_of::<stltsa_summary>(),
-        56usize,
+        296usize,
         concat!("Size of: ", stringify!(stltsa_summary))
     );
     assert_eq!(
@@ -2115,78 +2336,6 @@ fn bindgen_test_layout_stltsa_summary() {
         8usize,
         concat!("Alignment of ", stringify!(stltsa_summary))
     );
-    fn test_field_count() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_summary>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).count) as usize - ptr as usize
-            },
-            0usize,
-            concat!("Offset of field: ", stringify!(stltsa_summary), "::", stringify!(count))
-        );
-    }
-    test_field_count();
-    fn test_field_per_minute() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_summary>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).per_minute) as usize - ptr as usize
-            },
-            8usize,
-            concat!("Offset of field: ", stringify!(stltsa_summary), "::", stringify!(per_minute))
-        );
-    }
-    test_field_per_minute();
-    fn test_field_mean_s() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_summary>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).mean_s) as usize - ptr as usize
-            },
-            16usize,
-            concat!("Offset of field: ", stringify!(stltsa_summary), "::", stringify!(mean_s))
-        );
-    }
-    test_field_mean_s();
-    fn test_field_sd_s() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_summary>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).sd_s) as usize - ptr as usize
-            },
-            24usize,
-            concat!("Offset of field: ", stringify!(stltsa_summary), "::", stringify!(sd_s))
-        );
-    }
-    test_field_sd_s();
-    fn test_field_cv() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_summary>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).cv) as usize - ptr as usize
-            },
-            32usize,
-            concat!("Offset of field: ", stringify!(stltsa_summary), "::", stringify!(cv))
-        );
-    }
-    test_field_cv();
-    fn test_field_trend() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_summary>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).trend) as usize - ptr as usize
-            },
-            40usize,
-            concat!("Offset of field: ", stringify!(stltsa_summary), "::", stringify!(trend))
-        );
-    }
-    test_field_trend();
     fn test_field_label() {
         assert_eq!(
             unsafe {
@@ -2194,23 +2343,180 @@ fn bindgen_test_layout_stltsa_summary() {
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).label) as usize - ptr as usize
             },
-            48usize,
+            0usize,
             concat!("Offset of field: ", stringify!(stltsa_summary), "::", stringify!(label))
         );
     }
     test_field_label();
-    fn test_field_reserved() {
+    fn test_field_letters() {
         assert_eq!(
             unsafe {
                 let uninit = ::std::mem::MaybeUninit::<stltsa_summary>::uninit();
                 let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).reserved) as usize - ptr as usize
+                ::std::ptr::addr_of!((*ptr).letters) as usize - ptr as usize
             },
-            52usize,
-            concat!("Offset of field: ", stringify!(stltsa_summary), "::", stringify!(reserved))
+            8usize,
+            concat!("Offset of field: ", stringify!(stltsa_summary), "::", stringify!(letters))
         );
     }
-    test_field_reserved();
+    test_field_letters();
+    fn test_field_count() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_summary>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).count) as usize - ptr as usize
+            },
+            16usize,
+            concat!("Offset of field: ", stringify!(stltsa_summary), "::", stringify!(count))
+        );
+    }
+    test_field_count();
+    fn test_field_cycles_per_min() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_summary>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).cycles_per_min) as usize - ptr as usize
+            },
+            24usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_summary),
+                "::",
+                stringify!(cycles_per_min)
+            )
+        );
+    }
+    test_field_cycles_per_min();
+    fn test_field_cycle_time_s() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_summary>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).cycle_time_s) as usize - ptr as usize
+            },
+            32usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_summary),
+                "::",
+                stringify!(cycle_time_s)
+            )
+        );
+    }
+    test_field_cycle_time_s();
+    fn test_field_steps_per_min() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_summary>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).steps_per_min) as usize - ptr as usize
+            },
+            72usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_summary),
+                "::",
+                stringify!(steps_per_min)
+            )
+        );
+    }
+    test_field_steps_per_min();
+    fn test_field_step_time_s() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_summary>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).step_time_s) as usize - ptr as usize
+            },
+            80usize,
+            concat!("Offset of field: ", stringify!(stltsa_summary), "::", stringify!(step_time_s))
+        );
+    }
+    test_field_step_time_s();
+    fn test_field_step_time_side_0_s() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_summary>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).step_time_side_0_s) as usize - ptr as usize
+            },
+            120usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_summary),
+                "::",
+                stringify!(step_time_side_0_s)
+            )
+        );
+    }
+    test_field_step_time_side_0_s();
+    fn test_field_step_time_side_1_s() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_summary>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).step_time_side_1_s) as usize - ptr as usize
+            },
+            128usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_summary),
+                "::",
+                stringify!(step_time_side_1_s)
+            )
+        );
+    }
+    test_field_step_time_side_1_s();
+    fn test_field_path_length() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_summary>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).path_length) as usize - ptr as usize
+            },
+            136usize,
+            concat!("Offset of field: ", stringify!(stltsa_summary), "::", stringify!(path_length))
+        );
+    }
+    test_field_path_length();
+    fn test_field_stride() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_summary>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).stride) as usize - ptr as usize
+            },
+            176usize,
+            concat!("Offset of field: ", stringify!(stltsa_summary), "::", stringify!(stride))
+        );
+    }
+    test_field_stride();
+    fn test_field_speed() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_summary>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).speed) as usize - ptr as usize
+            },
+            216usize,
+            concat!("Offset of field: ", stringify!(stltsa_summary), "::", stringify!(speed))
+        );
+    }
+    test_field_speed();
+    fn test_field_turn_deg() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_summary>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).turn_deg) as usize - ptr as usize
+            },
+            256usize,
+            concat!("Offset of field: ", stringify!(stltsa_summary), "::", stringify!(turn_deg))
+        );
+    }
+    test_field_turn_deg();
 }
 extern "C" {
     pub fn stltsa_decompose(
@@ -2228,157 +2534,13 @@ extern "C" {
     ) -> *const stltsa_info;
 }
 extern "C" {
-    pub fn stltsa_decomposition_segment_count(decomposition: *const stltsa_decomposition) -> i64;
-}
-extern "C" {
-    pub fn stltsa_decomposition_segment(
-        decomposition: *const stltsa_decomposition,
-        index: i64,
-        segment: *mut stltsa_segment,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_decomposition_segment_reason(
-        decomposition: *const stltsa_decomposition,
-        index: i64,
-    ) -> *const ::std::os::raw::c_char;
-}
-extern "C" {
-    pub fn stltsa_decomposition_label_likeness(
-        decomposition: *const stltsa_decomposition,
-        label: i32,
-        other: i32,
-        likeness: *mut f64,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_decomposition_first_step(
-        decomposition: *const stltsa_decomposition,
-        segment: i64,
-        share: *mut f64,
-        margin: *mut f64,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_decomposition_steps_reason(
-        decomposition: *const stltsa_decomposition,
-        segment: i64,
-    ) -> *const ::std::os::raw::c_char;
-}
-extern "C" {
-    pub fn stltsa_decomposition_side(decomposition: *const stltsa_decomposition, side: i32) -> i32;
-}
-extern "C" {
-    pub fn stltsa_decomposition_carrier_count(
-        decomposition: *const stltsa_decomposition,
-        segment: i64,
-    ) -> i64;
-}
-extern "C" {
-    pub fn stltsa_decomposition_carrier(
-        decomposition: *const stltsa_decomposition,
-        segment: i64,
-        index: i64,
-    ) -> *const ::std::os::raw::c_char;
-}
-extern "C" {
-    pub fn stltsa_decomposition_part_count(
-        decomposition: *const stltsa_decomposition,
-        kind: i32,
-    ) -> i64;
-}
-extern "C" {
-    pub fn stltsa_decomposition_part(
-        decomposition: *const stltsa_decomposition,
-        kind: i32,
-        index: i64,
-        part: *mut stltsa_part,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_decomposition_travel(
-        decomposition: *const stltsa_decomposition,
-        kind: i32,
-        index: i64,
-        travel: *mut stltsa_travel,
-    ) -> stltsa_status;
-}
-extern "C" {
     pub fn stltsa_decomposition_statistics(
         decomposition: *const stltsa_decomposition,
         kind: i32,
-        label: i32,
+        label: i64,
         side: i32,
         quantity: i32,
         statistics: *mut stltsa_statistics,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_decomposition_summary_count(decomposition: *const stltsa_decomposition) -> i64;
-}
-extern "C" {
-    pub fn stltsa_decomposition_summary(
-        decomposition: *const stltsa_decomposition,
-        index: i64,
-        summary: *mut stltsa_summary,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_decomposition_unit_count(decomposition: *const stltsa_decomposition) -> i64;
-}
-extern "C" {
-    pub fn stltsa_decomposition_unit(
-        decomposition: *const stltsa_decomposition,
-        index: i64,
-        unit: *mut stltsa_interval,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_decomposition_cycle_count(decomposition: *const stltsa_decomposition) -> i64;
-}
-extern "C" {
-    pub fn stltsa_decomposition_cycle(
-        decomposition: *const stltsa_decomposition,
-        index: i64,
-        cycle: *mut stltsa_interval,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_decomposition_curve(
-        decomposition: *const stltsa_decomposition,
-        curve: *const stltsa_out,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_decomposition_coords(
-        decomposition: *const stltsa_decomposition,
-        coords: *const stltsa_out,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_decomposition_loop(
-        decomposition: *const stltsa_decomposition,
-        loop_: *const stltsa_out,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_decomposition_reason(
-        decomposition: *const stltsa_decomposition,
-    ) -> *const ::std::os::raw::c_char;
-}
-extern "C" {
-    pub fn stltsa_decomposition_warning_count(decomposition: *const stltsa_decomposition) -> i64;
-}
-extern "C" {
-    pub fn stltsa_decomposition_warning(
-        decomposition: *const stltsa_decomposition,
-        index: i64,
-    ) -> *const ::std::os::raw::c_char;
-}
-extern "C" {
-    pub fn stltsa_decomposition_json(
-        decomposition: *const stltsa_decomposition,
-        json: *mut *mut ::std::os::raw::c_char,
     ) -> stltsa_status;
 }
 extern "C" {
@@ -2442,11 +2604,13 @@ extern "C" {
     pub fn stltsa_model_save(
         model: *const stltsa_model,
         path: *const ::std::os::raw::c_char,
+        options: *const stltsa_options,
     ) -> stltsa_status;
 }
 extern "C" {
     pub fn stltsa_model_load(
         path: *const ::std::os::raw::c_char,
+        options: *const stltsa_options,
         model: *mut *mut stltsa_model,
     ) -> stltsa_status;
 }
@@ -2466,37 +2630,7 @@ extern "C" {
     pub fn stltsa_phase_free(phase: *mut stltsa_phase);
 }
 extern "C" {
-    pub fn stltsa_phase_values(
-        phase: *const stltsa_phase,
-        values: *const stltsa_out,
-        residual: *const stltsa_out,
-        cycle: *const stltsa_out,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_phase_zero(
-        phase: *const stltsa_phase,
-        label: i32,
-        zero: *mut f64,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_phase_warning_count(phase: *const stltsa_phase) -> i64;
-}
-extern "C" {
-    pub fn stltsa_phase_warning(
-        phase: *const stltsa_phase,
-        index: i64,
-    ) -> *const ::std::os::raw::c_char;
-}
-extern "C" {
-    pub fn stltsa_phase_column_count(phase: *const stltsa_phase) -> i64;
-}
-extern "C" {
-    pub fn stltsa_phase_column_owner(
-        phase: *const stltsa_phase,
-        index: i64,
-    ) -> *const ::std::os::raw::c_char;
+    pub fn stltsa_phase_info(phase: *const stltsa_phase) -> *const stltsa_info;
 }
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
@@ -2506,9 +2640,10 @@ pub struct stltsa_cycles {
 extern "C" {
     pub fn stltsa_cycles_resample(
         phase: *const stltsa_phase,
-        label: i32,
+        label: i64,
         signals: *const stltsa_in,
         samples: i64,
+        options: *const stltsa_options,
         cycles: *mut *mut stltsa_cycles,
     ) -> stltsa_status;
 }
@@ -2517,6 +2652,7 @@ extern "C" {
         borders: *const stltsa_in,
         signals: *const stltsa_in,
         samples: i64,
+        options: *const stltsa_options,
         cycles: *mut *mut stltsa_cycles,
     ) -> stltsa_status;
 }
@@ -2524,35 +2660,7 @@ extern "C" {
     pub fn stltsa_cycles_free(cycles: *mut stltsa_cycles);
 }
 extern "C" {
-    pub fn stltsa_cycles_count(cycles: *const stltsa_cycles) -> i64;
-}
-extern "C" {
-    pub fn stltsa_cycles_mean(
-        cycles: *const stltsa_cycles,
-        mean: *const stltsa_out,
-        deviation: *const stltsa_out,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_cycles_cycle(
-        cycles: *const stltsa_cycles,
-        index: i64,
-        values: *const stltsa_out,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_cycles_times(
-        cycles: *const stltsa_cycles,
-        frames: *const stltsa_out,
-        warp: *const stltsa_out,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_cycles_distance(
-        cycles: *const stltsa_cycles,
-        total: *const stltsa_out,
-        columns: *const stltsa_out,
-    ) -> stltsa_status;
+    pub fn stltsa_cycles_info(cycles: *const stltsa_cycles) -> *const stltsa_info;
 }
 extern "C" {
     pub fn stltsa_cycles_group_distance(
@@ -2575,19 +2683,17 @@ pub struct stltsa_events {
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct stltsa_event {
-    pub size: usize,
-    pub cycle: i64,
     pub frame: f64,
     pub seconds: f64,
+    pub cycle: i64,
     pub confidence: f64,
-    pub marked: i32,
-    pub reserved: i32,
+    pub marked: i64,
 }
 #[test]
 fn bindgen_test_layout_stltsa_event() {
     assert_eq!(
         ::std::mem::size_of::<stltsa_event>(),
-        48usize,
+        40usize,
         concat!("Size of: ", stringify!(stltsa_event))
     );
     assert_eq!(
@@ -2595,30 +2701,6 @@ fn bindgen_test_layout_stltsa_event() {
         8usize,
         concat!("Alignment of ", stringify!(stltsa_event))
     );
-    fn test_field_size() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_event>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).size) as usize - ptr as usize
-            },
-            0usize,
-            concat!("Offset of field: ", stringify!(stltsa_event), "::", stringify!(size))
-        );
-    }
-    test_field_size();
-    fn test_field_cycle() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_event>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).cycle) as usize - ptr as usize
-            },
-            8usize,
-            concat!("Offset of field: ", stringify!(stltsa_event), "::", stringify!(cycle))
-        );
-    }
-    test_field_cycle();
     fn test_field_frame() {
         assert_eq!(
             unsafe {
@@ -2626,7 +2708,7 @@ fn bindgen_test_layout_stltsa_event() {
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).frame) as usize - ptr as usize
             },
-            16usize,
+            0usize,
             concat!("Offset of field: ", stringify!(stltsa_event), "::", stringify!(frame))
         );
     }
@@ -2638,11 +2720,23 @@ fn bindgen_test_layout_stltsa_event() {
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).seconds) as usize - ptr as usize
             },
-            24usize,
+            8usize,
             concat!("Offset of field: ", stringify!(stltsa_event), "::", stringify!(seconds))
         );
     }
     test_field_seconds();
+    fn test_field_cycle() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_event>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).cycle) as usize - ptr as usize
+            },
+            16usize,
+            concat!("Offset of field: ", stringify!(stltsa_event), "::", stringify!(cycle))
+        );
+    }
+    test_field_cycle();
     fn test_field_confidence() {
         assert_eq!(
             unsafe {
@@ -2650,7 +2744,7 @@ fn bindgen_test_layout_stltsa_event() {
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).confidence) as usize - ptr as usize
             },
-            32usize,
+            24usize,
             concat!("Offset of field: ", stringify!(stltsa_event), "::", stringify!(confidence))
         );
     }
@@ -2662,34 +2756,14 @@ fn bindgen_test_layout_stltsa_event() {
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).marked) as usize - ptr as usize
             },
-            40usize,
+            32usize,
             concat!("Offset of field: ", stringify!(stltsa_event), "::", stringify!(marked))
         );
     }
     test_field_marked();
-    fn test_field_reserved() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_event>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).reserved) as usize - ptr as usize
-            },
-            44usize,
-            concat!("Offset of field: ", stringify!(stltsa_event), "::", stringify!(reserved))
-        );
-    }
-    test_field_reserved();
 }
 extern "C" {
     pub fn stltsa_events_find(
-        from: *const stltsa_phase,
-        marks: *const stltsa_in,
-        in_: *const stltsa_phase,
-        events: *mut *mut stltsa_events,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_events_find_with(
         from: *const stltsa_phase,
         marks: *const stltsa_in,
         in_: *const stltsa_phase,
@@ -2701,26 +2775,7 @@ extern "C" {
     pub fn stltsa_events_free(events: *mut stltsa_events);
 }
 extern "C" {
-    pub fn stltsa_events_count(events: *const stltsa_events) -> i64;
-}
-extern "C" {
-    pub fn stltsa_events_event(
-        events: *const stltsa_events,
-        index: i64,
-        event: *mut stltsa_event,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_events_likeness(events: *const stltsa_events) -> f64;
-}
-extern "C" {
-    pub fn stltsa_events_warning_count(events: *const stltsa_events) -> i64;
-}
-extern "C" {
-    pub fn stltsa_events_warning(
-        events: *const stltsa_events,
-        index: i64,
-    ) -> *const ::std::os::raw::c_char;
+    pub fn stltsa_events_info(events: *const stltsa_events) -> *const stltsa_info;
 }
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
@@ -2738,8 +2793,7 @@ pub struct stltsa_estimate {
     pub standard_error: f64,
     pub low: f64,
     pub high: f64,
-    pub significant: i32,
-    pub reserved: i32,
+    pub significant: i64,
 }
 #[test]
 fn bindgen_test_layout_stltsa_estimate() {
@@ -2871,237 +2925,153 @@ fn bindgen_test_layout_stltsa_estimate() {
         );
     }
     test_field_significant();
-    fn test_field_reserved() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_estimate>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).reserved) as usize - ptr as usize
-            },
-            68usize,
-            concat!("Offset of field: ", stringify!(stltsa_estimate), "::", stringify!(reserved))
-        );
-    }
-    test_field_reserved();
 }
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
-pub struct stltsa_compared_cycles {
-    pub size: usize,
-    pub first_count: i64,
-    pub second_count: i64,
-    pub first_label: i32,
-    pub second_label: i32,
+pub struct stltsa_bounded {
+    pub value: f64,
+    pub low: f64,
+    pub high: f64,
+}
+#[test]
+fn bindgen_test_layout_stltsa_bounded() {
+    assert_eq!(
+        ::std::mem::size_of::<stltsa_bounded>(),
+        24usize,
+        concat!("Size of: ", stringify!(stltsa_bounded))
+    );
+    assert_eq!(
+        ::std::mem::align_of::<stltsa_bounded>(),
+        8usize,
+        concat!("Alignment of ", stringify!(stltsa_bounded))
+    );
+    fn test_field_value() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_bounded>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).value) as usize - ptr as usize
+            },
+            0usize,
+            concat!("Offset of field: ", stringify!(stltsa_bounded), "::", stringify!(value))
+        );
+    }
+    test_field_value();
+    fn test_field_low() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_bounded>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).low) as usize - ptr as usize
+            },
+            8usize,
+            concat!("Offset of field: ", stringify!(stltsa_bounded), "::", stringify!(low))
+        );
+    }
+    test_field_low();
+    fn test_field_high() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_bounded>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).high) as usize - ptr as usize
+            },
+            16usize,
+            concat!("Offset of field: ", stringify!(stltsa_bounded), "::", stringify!(high))
+        );
+    }
+    test_field_high();
+}
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_compared {
+    pub sides: i64,
+    pub features: i64,
     pub samples: i64,
-    pub cycle_time: stltsa_estimate,
-    pub first_per_minute: f64,
-    pub second_per_minute: f64,
     pub shift: f64,
     pub shift_error: f64,
     pub shift_low: f64,
     pub shift_high: f64,
     pub likeness: f64,
     pub runner_up: f64,
-    pub turn: f64,
+    pub turn_deg: f64,
     pub size_ratio: f64,
+    pub cycle_time_s: stltsa_estimate,
     pub judged: i64,
     pub significant: i64,
-    pub sides: i32,
-    pub reserved: i32,
+    pub expected_by_chance: f64,
 }
 #[test]
-fn bindgen_test_layout_stltsa_compared_cycles() {
+fn bindgen_test_layout_stltsa_compared() {
     assert_eq!(
-        ::std::mem::size_of::<stltsa_compared_cycles>(),
-        216usize,
-        concat!("Size of: ", stringify!(stltsa_compared_cycles))
+        ::std::mem::size_of::<stltsa_compared>(),
+        184usize,
+        concat!("Size of: ", stringify!(stltsa_compared))
     );
     assert_eq!(
-        ::std::mem::align_of::<stltsa_compared_cycles>(),
+        ::std::mem::align_of::<stltsa_compared>(),
         8usize,
-        concat!("Alignment of ", stringify!(stltsa_compared_cycles))
+        concat!("Alignment of ", stringify!(stltsa_compared))
     );
-    fn test_field_size() {
+    fn test_field_sides() {
         assert_eq!(
             unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared>::uninit();
                 let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).size) as usize - ptr as usize
+                ::std::ptr::addr_of!((*ptr).sides) as usize - ptr as usize
             },
             0usize,
-            concat!(
-                "Offset of field: ",
-                stringify!(stltsa_compared_cycles),
-                "::",
-                stringify!(size)
-            )
+            concat!("Offset of field: ", stringify!(stltsa_compared), "::", stringify!(sides))
         );
     }
-    test_field_size();
-    fn test_field_first_count() {
+    test_field_sides();
+    fn test_field_features() {
         assert_eq!(
             unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared>::uninit();
                 let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).first_count) as usize - ptr as usize
+                ::std::ptr::addr_of!((*ptr).features) as usize - ptr as usize
             },
             8usize,
-            concat!(
-                "Offset of field: ",
-                stringify!(stltsa_compared_cycles),
-                "::",
-                stringify!(first_count)
-            )
+            concat!("Offset of field: ", stringify!(stltsa_compared), "::", stringify!(features))
         );
     }
-    test_field_first_count();
-    fn test_field_second_count() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).second_count) as usize - ptr as usize
-            },
-            16usize,
-            concat!(
-                "Offset of field: ",
-                stringify!(stltsa_compared_cycles),
-                "::",
-                stringify!(second_count)
-            )
-        );
-    }
-    test_field_second_count();
-    fn test_field_first_label() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).first_label) as usize - ptr as usize
-            },
-            24usize,
-            concat!(
-                "Offset of field: ",
-                stringify!(stltsa_compared_cycles),
-                "::",
-                stringify!(first_label)
-            )
-        );
-    }
-    test_field_first_label();
-    fn test_field_second_label() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).second_label) as usize - ptr as usize
-            },
-            28usize,
-            concat!(
-                "Offset of field: ",
-                stringify!(stltsa_compared_cycles),
-                "::",
-                stringify!(second_label)
-            )
-        );
-    }
-    test_field_second_label();
+    test_field_features();
     fn test_field_samples() {
         assert_eq!(
             unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared>::uninit();
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).samples) as usize - ptr as usize
             },
-            32usize,
-            concat!(
-                "Offset of field: ",
-                stringify!(stltsa_compared_cycles),
-                "::",
-                stringify!(samples)
-            )
+            16usize,
+            concat!("Offset of field: ", stringify!(stltsa_compared), "::", stringify!(samples))
         );
     }
     test_field_samples();
-    fn test_field_cycle_time() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).cycle_time) as usize - ptr as usize
-            },
-            40usize,
-            concat!(
-                "Offset of field: ",
-                stringify!(stltsa_compared_cycles),
-                "::",
-                stringify!(cycle_time)
-            )
-        );
-    }
-    test_field_cycle_time();
-    fn test_field_first_per_minute() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).first_per_minute) as usize - ptr as usize
-            },
-            112usize,
-            concat!(
-                "Offset of field: ",
-                stringify!(stltsa_compared_cycles),
-                "::",
-                stringify!(first_per_minute)
-            )
-        );
-    }
-    test_field_first_per_minute();
-    fn test_field_second_per_minute() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).second_per_minute) as usize - ptr as usize
-            },
-            120usize,
-            concat!(
-                "Offset of field: ",
-                stringify!(stltsa_compared_cycles),
-                "::",
-                stringify!(second_per_minute)
-            )
-        );
-    }
-    test_field_second_per_minute();
     fn test_field_shift() {
         assert_eq!(
             unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared>::uninit();
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).shift) as usize - ptr as usize
             },
-            128usize,
-            concat!(
-                "Offset of field: ",
-                stringify!(stltsa_compared_cycles),
-                "::",
-                stringify!(shift)
-            )
+            24usize,
+            concat!("Offset of field: ", stringify!(stltsa_compared), "::", stringify!(shift))
         );
     }
     test_field_shift();
     fn test_field_shift_error() {
         assert_eq!(
             unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared>::uninit();
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).shift_error) as usize - ptr as usize
             },
-            136usize,
+            32usize,
             concat!(
                 "Offset of field: ",
-                stringify!(stltsa_compared_cycles),
+                stringify!(stltsa_compared),
                 "::",
                 stringify!(shift_error)
             )
@@ -3111,197 +3081,316 @@ fn bindgen_test_layout_stltsa_compared_cycles() {
     fn test_field_shift_low() {
         assert_eq!(
             unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared>::uninit();
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).shift_low) as usize - ptr as usize
             },
-            144usize,
-            concat!(
-                "Offset of field: ",
-                stringify!(stltsa_compared_cycles),
-                "::",
-                stringify!(shift_low)
-            )
+            40usize,
+            concat!("Offset of field: ", stringify!(stltsa_compared), "::", stringify!(shift_low))
         );
     }
     test_field_shift_low();
     fn test_field_shift_high() {
         assert_eq!(
             unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared>::uninit();
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).shift_high) as usize - ptr as usize
             },
-            152usize,
-            concat!(
-                "Offset of field: ",
-                stringify!(stltsa_compared_cycles),
-                "::",
-                stringify!(shift_high)
-            )
+            48usize,
+            concat!("Offset of field: ", stringify!(stltsa_compared), "::", stringify!(shift_high))
         );
     }
     test_field_shift_high();
     fn test_field_likeness() {
         assert_eq!(
             unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared>::uninit();
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).likeness) as usize - ptr as usize
             },
-            160usize,
-            concat!(
-                "Offset of field: ",
-                stringify!(stltsa_compared_cycles),
-                "::",
-                stringify!(likeness)
-            )
+            56usize,
+            concat!("Offset of field: ", stringify!(stltsa_compared), "::", stringify!(likeness))
         );
     }
     test_field_likeness();
     fn test_field_runner_up() {
         assert_eq!(
             unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared>::uninit();
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).runner_up) as usize - ptr as usize
             },
-            168usize,
-            concat!(
-                "Offset of field: ",
-                stringify!(stltsa_compared_cycles),
-                "::",
-                stringify!(runner_up)
-            )
+            64usize,
+            concat!("Offset of field: ", stringify!(stltsa_compared), "::", stringify!(runner_up))
         );
     }
     test_field_runner_up();
-    fn test_field_turn() {
+    fn test_field_turn_deg() {
         assert_eq!(
             unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared>::uninit();
                 let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).turn) as usize - ptr as usize
+                ::std::ptr::addr_of!((*ptr).turn_deg) as usize - ptr as usize
             },
-            176usize,
-            concat!(
-                "Offset of field: ",
-                stringify!(stltsa_compared_cycles),
-                "::",
-                stringify!(turn)
-            )
+            72usize,
+            concat!("Offset of field: ", stringify!(stltsa_compared), "::", stringify!(turn_deg))
         );
     }
-    test_field_turn();
+    test_field_turn_deg();
     fn test_field_size_ratio() {
         assert_eq!(
             unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared>::uninit();
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).size_ratio) as usize - ptr as usize
             },
-            184usize,
-            concat!(
-                "Offset of field: ",
-                stringify!(stltsa_compared_cycles),
-                "::",
-                stringify!(size_ratio)
-            )
+            80usize,
+            concat!("Offset of field: ", stringify!(stltsa_compared), "::", stringify!(size_ratio))
         );
     }
     test_field_size_ratio();
+    fn test_field_cycle_time_s() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).cycle_time_s) as usize - ptr as usize
+            },
+            88usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared),
+                "::",
+                stringify!(cycle_time_s)
+            )
+        );
+    }
+    test_field_cycle_time_s();
     fn test_field_judged() {
         assert_eq!(
             unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared>::uninit();
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).judged) as usize - ptr as usize
             },
-            192usize,
-            concat!(
-                "Offset of field: ",
-                stringify!(stltsa_compared_cycles),
-                "::",
-                stringify!(judged)
-            )
+            160usize,
+            concat!("Offset of field: ", stringify!(stltsa_compared), "::", stringify!(judged))
         );
     }
     test_field_judged();
     fn test_field_significant() {
         assert_eq!(
             unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared>::uninit();
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).significant) as usize - ptr as usize
             },
-            200usize,
+            168usize,
             concat!(
                 "Offset of field: ",
-                stringify!(stltsa_compared_cycles),
+                stringify!(stltsa_compared),
                 "::",
                 stringify!(significant)
             )
         );
     }
     test_field_significant();
-    fn test_field_sides() {
+    fn test_field_expected_by_chance() {
         assert_eq!(
             unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared>::uninit();
                 let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).sides) as usize - ptr as usize
+                ::std::ptr::addr_of!((*ptr).expected_by_chance) as usize - ptr as usize
             },
-            208usize,
+            176usize,
             concat!(
                 "Offset of field: ",
-                stringify!(stltsa_compared_cycles),
+                stringify!(stltsa_compared),
                 "::",
-                stringify!(sides)
+                stringify!(expected_by_chance)
             )
         );
     }
-    test_field_sides();
-    fn test_field_reserved() {
+    test_field_expected_by_chance();
+}
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_compared_motion {
+    pub path: *const ::std::os::raw::c_char,
+    pub frames: i64,
+    pub fps: f64,
+    pub label: i64,
+    pub letters: *const ::std::os::raw::c_char,
+    pub cycles: i64,
+    pub cycles_per_min: f64,
+    pub left_out: *const *const ::std::os::raw::c_char,
+}
+#[test]
+fn bindgen_test_layout_stltsa_compared_motion() {
+    assert_eq!(
+        ::std::mem::size_of::<stltsa_compared_motion>(),
+        64usize,
+        concat!("Size of: ", stringify!(stltsa_compared_motion))
+    );
+    assert_eq!(
+        ::std::mem::align_of::<stltsa_compared_motion>(),
+        8usize,
+        concat!("Alignment of ", stringify!(stltsa_compared_motion))
+    );
+    fn test_field_path() {
         assert_eq!(
             unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_motion>::uninit();
                 let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).reserved) as usize - ptr as usize
+                ::std::ptr::addr_of!((*ptr).path) as usize - ptr as usize
             },
-            212usize,
+            0usize,
             concat!(
                 "Offset of field: ",
-                stringify!(stltsa_compared_cycles),
+                stringify!(stltsa_compared_motion),
                 "::",
-                stringify!(reserved)
+                stringify!(path)
             )
         );
     }
-    test_field_reserved();
+    test_field_path();
+    fn test_field_frames() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_motion>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).frames) as usize - ptr as usize
+            },
+            8usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_motion),
+                "::",
+                stringify!(frames)
+            )
+        );
+    }
+    test_field_frames();
+    fn test_field_fps() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_motion>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).fps) as usize - ptr as usize
+            },
+            16usize,
+            concat!("Offset of field: ", stringify!(stltsa_compared_motion), "::", stringify!(fps))
+        );
+    }
+    test_field_fps();
+    fn test_field_label() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_motion>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).label) as usize - ptr as usize
+            },
+            24usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_motion),
+                "::",
+                stringify!(label)
+            )
+        );
+    }
+    test_field_label();
+    fn test_field_letters() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_motion>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).letters) as usize - ptr as usize
+            },
+            32usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_motion),
+                "::",
+                stringify!(letters)
+            )
+        );
+    }
+    test_field_letters();
+    fn test_field_cycles() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_motion>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).cycles) as usize - ptr as usize
+            },
+            40usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_motion),
+                "::",
+                stringify!(cycles)
+            )
+        );
+    }
+    test_field_cycles();
+    fn test_field_cycles_per_min() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_motion>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).cycles_per_min) as usize - ptr as usize
+            },
+            48usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_motion),
+                "::",
+                stringify!(cycles_per_min)
+            )
+        );
+    }
+    test_field_cycles_per_min();
+    fn test_field_left_out() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_motion>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).left_out) as usize - ptr as usize
+            },
+            56usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_motion),
+                "::",
+                stringify!(left_out)
+            )
+        );
+    }
+    test_field_left_out();
 }
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct stltsa_compared_part {
-    pub size: usize,
     pub part: i64,
-    pub rms: f64,
-    pub chance: f64,
-    pub correlation: f64,
-    pub lag: stltsa_estimate,
-    pub amplitude: stltsa_estimate,
-    pub ratio: f64,
-    pub ratio_low: f64,
-    pub ratio_high: f64,
-    pub lag_s: f64,
-    pub lag_low_s: f64,
-    pub lag_high_s: f64,
+    pub first: *const ::std::os::raw::c_char,
+    pub second: *const ::std::os::raw::c_char,
+    pub axis: *const ::std::os::raw::c_char,
     pub mean: stltsa_estimate,
+    pub lag: stltsa_estimate,
+    pub lag_s: stltsa_bounded,
+    pub amplitude: stltsa_estimate,
+    pub amplitude_ratio: stltsa_bounded,
+    pub rms_difference: f64,
+    pub rms_by_chance: f64,
+    pub correlation: f64,
 }
 #[test]
 fn bindgen_test_layout_stltsa_compared_part() {
     assert_eq!(
         ::std::mem::size_of::<stltsa_compared_part>(),
-        304usize,
+        320usize,
         concat!("Size of: ", stringify!(stltsa_compared_part))
     );
     assert_eq!(
@@ -3309,18 +3398,6 @@ fn bindgen_test_layout_stltsa_compared_part() {
         8usize,
         concat!("Alignment of ", stringify!(stltsa_compared_part))
     );
-    fn test_field_size() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_part>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).size) as usize - ptr as usize
-            },
-            0usize,
-            concat!("Offset of field: ", stringify!(stltsa_compared_part), "::", stringify!(size))
-        );
-    }
-    test_field_size();
     fn test_field_part() {
         assert_eq!(
             unsafe {
@@ -3328,57 +3405,64 @@ fn bindgen_test_layout_stltsa_compared_part() {
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).part) as usize - ptr as usize
             },
-            8usize,
+            0usize,
             concat!("Offset of field: ", stringify!(stltsa_compared_part), "::", stringify!(part))
         );
     }
     test_field_part();
-    fn test_field_rms() {
+    fn test_field_first() {
         assert_eq!(
             unsafe {
                 let uninit = ::std::mem::MaybeUninit::<stltsa_compared_part>::uninit();
                 let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).rms) as usize - ptr as usize
+                ::std::ptr::addr_of!((*ptr).first) as usize - ptr as usize
+            },
+            8usize,
+            concat!("Offset of field: ", stringify!(stltsa_compared_part), "::", stringify!(first))
+        );
+    }
+    test_field_first();
+    fn test_field_second() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_part>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).second) as usize - ptr as usize
             },
             16usize,
-            concat!("Offset of field: ", stringify!(stltsa_compared_part), "::", stringify!(rms))
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_part),
+                "::",
+                stringify!(second)
+            )
         );
     }
-    test_field_rms();
-    fn test_field_chance() {
+    test_field_second();
+    fn test_field_axis() {
         assert_eq!(
             unsafe {
                 let uninit = ::std::mem::MaybeUninit::<stltsa_compared_part>::uninit();
                 let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).chance) as usize - ptr as usize
+                ::std::ptr::addr_of!((*ptr).axis) as usize - ptr as usize
             },
             24usize,
-            concat!(
-                "Offset of field: ",
-                stringify!(stltsa_compared_part),
-                "::",
-                stringify!(chance)
-            )
+            concat!("Offset of field: ", stringify!(stltsa_compared_part), "::", stringify!(axis))
         );
     }
-    test_field_chance();
-    fn test_field_correlation() {
+    test_field_axis();
+    fn test_field_mean() {
         assert_eq!(
             unsafe {
                 let uninit = ::std::mem::MaybeUninit::<stltsa_compared_part>::uninit();
                 let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).correlation) as usize - ptr as usize
+                ::std::ptr::addr_of!((*ptr).mean) as usize - ptr as usize
             },
             32usize,
-            concat!(
-                "Offset of field: ",
-                stringify!(stltsa_compared_part),
-                "::",
-                stringify!(correlation)
-            )
+            concat!("Offset of field: ", stringify!(stltsa_compared_part), "::", stringify!(mean))
         );
     }
-    test_field_correlation();
+    test_field_mean();
     fn test_field_lag() {
         assert_eq!(
             unsafe {
@@ -3386,11 +3470,23 @@ fn bindgen_test_layout_stltsa_compared_part() {
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).lag) as usize - ptr as usize
             },
-            40usize,
+            104usize,
             concat!("Offset of field: ", stringify!(stltsa_compared_part), "::", stringify!(lag))
         );
     }
     test_field_lag();
+    fn test_field_lag_s() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_part>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).lag_s) as usize - ptr as usize
+            },
+            176usize,
+            concat!("Offset of field: ", stringify!(stltsa_compared_part), "::", stringify!(lag_s))
+        );
+    }
+    test_field_lag_s();
     fn test_field_amplitude() {
         assert_eq!(
             unsafe {
@@ -3398,7 +3494,7 @@ fn bindgen_test_layout_stltsa_compared_part() {
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).amplitude) as usize - ptr as usize
             },
-            112usize,
+            200usize,
             concat!(
                 "Offset of field: ",
                 stringify!(stltsa_compared_part),
@@ -3408,127 +3504,81 @@ fn bindgen_test_layout_stltsa_compared_part() {
         );
     }
     test_field_amplitude();
-    fn test_field_ratio() {
+    fn test_field_amplitude_ratio() {
         assert_eq!(
             unsafe {
                 let uninit = ::std::mem::MaybeUninit::<stltsa_compared_part>::uninit();
                 let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).ratio) as usize - ptr as usize
+                ::std::ptr::addr_of!((*ptr).amplitude_ratio) as usize - ptr as usize
             },
-            184usize,
-            concat!("Offset of field: ", stringify!(stltsa_compared_part), "::", stringify!(ratio))
-        );
-    }
-    test_field_ratio();
-    fn test_field_ratio_low() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_part>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).ratio_low) as usize - ptr as usize
-            },
-            192usize,
+            272usize,
             concat!(
                 "Offset of field: ",
                 stringify!(stltsa_compared_part),
                 "::",
-                stringify!(ratio_low)
+                stringify!(amplitude_ratio)
             )
         );
     }
-    test_field_ratio_low();
-    fn test_field_ratio_high() {
+    test_field_amplitude_ratio();
+    fn test_field_rms_difference() {
         assert_eq!(
             unsafe {
                 let uninit = ::std::mem::MaybeUninit::<stltsa_compared_part>::uninit();
                 let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).ratio_high) as usize - ptr as usize
+                ::std::ptr::addr_of!((*ptr).rms_difference) as usize - ptr as usize
             },
-            200usize,
+            296usize,
             concat!(
                 "Offset of field: ",
                 stringify!(stltsa_compared_part),
                 "::",
-                stringify!(ratio_high)
+                stringify!(rms_difference)
             )
         );
     }
-    test_field_ratio_high();
-    fn test_field_lag_s() {
+    test_field_rms_difference();
+    fn test_field_rms_by_chance() {
         assert_eq!(
             unsafe {
                 let uninit = ::std::mem::MaybeUninit::<stltsa_compared_part>::uninit();
                 let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).lag_s) as usize - ptr as usize
+                ::std::ptr::addr_of!((*ptr).rms_by_chance) as usize - ptr as usize
             },
-            208usize,
-            concat!("Offset of field: ", stringify!(stltsa_compared_part), "::", stringify!(lag_s))
-        );
-    }
-    test_field_lag_s();
-    fn test_field_lag_low_s() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_part>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).lag_low_s) as usize - ptr as usize
-            },
-            216usize,
+            304usize,
             concat!(
                 "Offset of field: ",
                 stringify!(stltsa_compared_part),
                 "::",
-                stringify!(lag_low_s)
+                stringify!(rms_by_chance)
             )
         );
     }
-    test_field_lag_low_s();
-    fn test_field_lag_high_s() {
+    test_field_rms_by_chance();
+    fn test_field_correlation() {
         assert_eq!(
             unsafe {
                 let uninit = ::std::mem::MaybeUninit::<stltsa_compared_part>::uninit();
                 let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).lag_high_s) as usize - ptr as usize
+                ::std::ptr::addr_of!((*ptr).correlation) as usize - ptr as usize
             },
-            224usize,
+            312usize,
             concat!(
                 "Offset of field: ",
                 stringify!(stltsa_compared_part),
                 "::",
-                stringify!(lag_high_s)
+                stringify!(correlation)
             )
         );
     }
-    test_field_lag_high_s();
-    fn test_field_mean() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_part>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).mean) as usize - ptr as usize
-            },
-            232usize,
-            concat!("Offset of field: ", stringify!(stltsa_compared_part), "::", stringify!(mean))
-        );
-    }
-    test_field_mean();
+    test_field_correlation();
 }
 extern "C" {
     pub fn stltsa_compare(
         first: *const stltsa_phase,
-        first_label: i32,
+        first_label: i64,
         second: *const stltsa_phase,
-        second_label: i32,
-        samples: i64,
-        comparison: *mut *mut stltsa_comparison,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_compare_with(
-        first: *const stltsa_phase,
-        first_label: i32,
-        second: *const stltsa_phase,
-        second_label: i32,
+        second_label: i64,
         samples: i64,
         options: *const stltsa_options,
         comparison: *mut *mut stltsa_comparison,
@@ -3538,7 +3588,7 @@ extern "C" {
     pub fn stltsa_compare_left_right(
         clip: *const stltsa_clip,
         phase: *const stltsa_phase,
-        label: i32,
+        label: i64,
         samples: i64,
         options: *const stltsa_options,
         comparison: *mut *mut stltsa_comparison,
@@ -3557,92 +3607,13 @@ extern "C" {
     pub fn stltsa_comparison_free(comparison: *mut stltsa_comparison);
 }
 extern "C" {
-    pub fn stltsa_comparison_cycles(
-        comparison: *const stltsa_comparison,
-        cycles: *mut stltsa_compared_cycles,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_comparison_part_count(comparison: *const stltsa_comparison) -> i64;
-}
-extern "C" {
-    pub fn stltsa_comparison_part(
-        comparison: *const stltsa_comparison,
-        index: i64,
-        part: *mut stltsa_compared_part,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_comparison_part_name(
-        comparison: *const stltsa_comparison,
-        which: i32,
-        index: i64,
-    ) -> *const ::std::os::raw::c_char;
-}
-extern "C" {
-    pub fn stltsa_comparison_channel_count(comparison: *const stltsa_comparison) -> i64;
-}
-extern "C" {
-    pub fn stltsa_comparison_channel(
-        comparison: *const stltsa_comparison,
-        index: i64,
-        channel: *mut stltsa_compared_part,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_comparison_channel_axis(
-        comparison: *const stltsa_comparison,
-        index: i64,
-    ) -> *const ::std::os::raw::c_char;
-}
-extern "C" {
-    pub fn stltsa_comparison_curves(
-        comparison: *const stltsa_comparison,
-        which: i32,
-        mean: *const stltsa_out,
-        deviation: *const stltsa_out,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_comparison_difference(
-        comparison: *const stltsa_comparison,
-        difference: *const stltsa_out,
-        standard_error: *const stltsa_out,
-        margin: *const stltsa_out,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_comparison_left_out_count(
-        comparison: *const stltsa_comparison,
-        which: i32,
-    ) -> i64;
-}
-extern "C" {
-    pub fn stltsa_comparison_left_out(
-        comparison: *const stltsa_comparison,
-        which: i32,
-        index: i64,
-    ) -> *const ::std::os::raw::c_char;
-}
-extern "C" {
-    pub fn stltsa_comparison_warning_count(comparison: *const stltsa_comparison) -> i64;
-}
-extern "C" {
-    pub fn stltsa_comparison_warning(
-        comparison: *const stltsa_comparison,
-        index: i64,
-    ) -> *const ::std::os::raw::c_char;
-}
-extern "C" {
-    pub fn stltsa_comparison_json(
-        comparison: *const stltsa_comparison,
-        json: *mut *mut ::std::os::raw::c_char,
-    ) -> stltsa_status;
+    pub fn stltsa_comparison_info(comparison: *const stltsa_comparison) -> *const stltsa_info;
 }
 extern "C" {
     pub fn stltsa_model_keep_cycle(
         model: *mut stltsa_model,
         phase: *const stltsa_phase,
+        options: *const stltsa_options,
     ) -> stltsa_status;
 }
 extern "C" {
@@ -3652,9 +3623,6 @@ extern "C" {
         frame: f64,
         name: *const ::std::os::raw::c_char,
     ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_model_has_cycle(model: *const stltsa_model) -> i32;
 }
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
@@ -3810,13 +3778,7 @@ extern "C" {
     pub fn stltsa_live_free(live: *mut stltsa_live);
 }
 extern "C" {
-    pub fn stltsa_live_mark_count(live: *const stltsa_live) -> i64;
-}
-extern "C" {
-    pub fn stltsa_live_mark_name(
-        live: *const stltsa_live,
-        index: i64,
-    ) -> *const ::std::os::raw::c_char;
+    pub fn stltsa_live_info(live: *const stltsa_live) -> *const stltsa_info;
 }
 extern "C" {
     pub fn stltsa_live_push_points(
@@ -3866,6 +3828,7 @@ extern "C" {
 extern "C" {
     pub fn stltsa_comparison_report_save(
         comparison: *const stltsa_comparison,
+        options: *const stltsa_options,
         command: *const ::std::os::raw::c_char,
         path: *const ::std::os::raw::c_char,
     ) -> stltsa_status;
@@ -3896,29 +3859,130 @@ extern "C" {
 extern "C" {
     pub fn stltsa_denoising_info(denoising: *const stltsa_denoising) -> *const stltsa_info;
 }
-extern "C" {
-    pub fn stltsa_denoising_curve(
-        denoising: *const stltsa_denoising,
-        curve: *const stltsa_out,
-    ) -> stltsa_status;
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_denoised_column {
+    pub gamma: f64,
+    pub shift: f64,
+    pub noise: f64,
+    pub noise_share: f64,
+    pub degrees_of_freedom: f64,
+    pub moved: i64,
 }
-extern "C" {
-    pub fn stltsa_denoising_cleaned(
-        denoising: *const stltsa_denoising,
-        cleaned: *const stltsa_out,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_denoising_moves(
-        denoising: *const stltsa_denoising,
-        moves: *const stltsa_out,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_denoising_json(
-        denoising: *const stltsa_denoising,
-        json: *mut *mut ::std::os::raw::c_char,
-    ) -> stltsa_status;
+#[test]
+fn bindgen_test_layout_stltsa_denoised_column() {
+    assert_eq!(
+        ::std::mem::size_of::<stltsa_denoised_column>(),
+        48usize,
+        concat!("Size of: ", stringify!(stltsa_denoised_column))
+    );
+    assert_eq!(
+        ::std::mem::align_of::<stltsa_denoised_column>(),
+        8usize,
+        concat!("Alignment of ", stringify!(stltsa_denoised_column))
+    );
+    fn test_field_gamma() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_denoised_column>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).gamma) as usize - ptr as usize
+            },
+            0usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_denoised_column),
+                "::",
+                stringify!(gamma)
+            )
+        );
+    }
+    test_field_gamma();
+    fn test_field_shift() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_denoised_column>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).shift) as usize - ptr as usize
+            },
+            8usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_denoised_column),
+                "::",
+                stringify!(shift)
+            )
+        );
+    }
+    test_field_shift();
+    fn test_field_noise() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_denoised_column>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).noise) as usize - ptr as usize
+            },
+            16usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_denoised_column),
+                "::",
+                stringify!(noise)
+            )
+        );
+    }
+    test_field_noise();
+    fn test_field_noise_share() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_denoised_column>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).noise_share) as usize - ptr as usize
+            },
+            24usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_denoised_column),
+                "::",
+                stringify!(noise_share)
+            )
+        );
+    }
+    test_field_noise_share();
+    fn test_field_degrees_of_freedom() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_denoised_column>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).degrees_of_freedom) as usize - ptr as usize
+            },
+            32usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_denoised_column),
+                "::",
+                stringify!(degrees_of_freedom)
+            )
+        );
+    }
+    test_field_degrees_of_freedom();
+    fn test_field_moved() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_denoised_column>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).moved) as usize - ptr as usize
+            },
+            40usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_denoised_column),
+                "::",
+                stringify!(moved)
+            )
+        );
+    }
+    test_field_moved();
 }
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
@@ -4035,22 +4099,24 @@ extern "C" {
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct stltsa_seam {
-    pub size: usize,
     pub frame: i64,
+    pub time_s: f64,
     pub piece: i64,
     pub next: i64,
     pub cut_end: i64,
     pub cut_begin: i64,
     pub crossfade: i64,
+    pub crossfade_s: f64,
     pub posture: f64,
     pub step: f64,
     pub acceleration: f64,
+    pub wrap: i64,
 }
 #[test]
 fn bindgen_test_layout_stltsa_seam() {
     assert_eq!(
         ::std::mem::size_of::<stltsa_seam>(),
-        80usize,
+        96usize,
         concat!("Size of: ", stringify!(stltsa_seam))
     );
     assert_eq!(
@@ -4058,18 +4124,6 @@ fn bindgen_test_layout_stltsa_seam() {
         8usize,
         concat!("Alignment of ", stringify!(stltsa_seam))
     );
-    fn test_field_size() {
-        assert_eq!(
-            unsafe {
-                let uninit = ::std::mem::MaybeUninit::<stltsa_seam>::uninit();
-                let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).size) as usize - ptr as usize
-            },
-            0usize,
-            concat!("Offset of field: ", stringify!(stltsa_seam), "::", stringify!(size))
-        );
-    }
-    test_field_size();
     fn test_field_frame() {
         assert_eq!(
             unsafe {
@@ -4077,11 +4131,23 @@ fn bindgen_test_layout_stltsa_seam() {
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).frame) as usize - ptr as usize
             },
-            8usize,
+            0usize,
             concat!("Offset of field: ", stringify!(stltsa_seam), "::", stringify!(frame))
         );
     }
     test_field_frame();
+    fn test_field_time_s() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_seam>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).time_s) as usize - ptr as usize
+            },
+            8usize,
+            concat!("Offset of field: ", stringify!(stltsa_seam), "::", stringify!(time_s))
+        );
+    }
+    test_field_time_s();
     fn test_field_piece() {
         assert_eq!(
             unsafe {
@@ -4142,6 +4208,18 @@ fn bindgen_test_layout_stltsa_seam() {
         );
     }
     test_field_crossfade();
+    fn test_field_crossfade_s() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_seam>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).crossfade_s) as usize - ptr as usize
+            },
+            56usize,
+            concat!("Offset of field: ", stringify!(stltsa_seam), "::", stringify!(crossfade_s))
+        );
+    }
+    test_field_crossfade_s();
     fn test_field_posture() {
         assert_eq!(
             unsafe {
@@ -4149,7 +4227,7 @@ fn bindgen_test_layout_stltsa_seam() {
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).posture) as usize - ptr as usize
             },
-            56usize,
+            64usize,
             concat!("Offset of field: ", stringify!(stltsa_seam), "::", stringify!(posture))
         );
     }
@@ -4161,7 +4239,7 @@ fn bindgen_test_layout_stltsa_seam() {
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).step) as usize - ptr as usize
             },
-            64usize,
+            72usize,
             concat!("Offset of field: ", stringify!(stltsa_seam), "::", stringify!(step))
         );
     }
@@ -4173,34 +4251,90 @@ fn bindgen_test_layout_stltsa_seam() {
                 let ptr = uninit.as_ptr();
                 ::std::ptr::addr_of!((*ptr).acceleration) as usize - ptr as usize
             },
-            72usize,
+            80usize,
             concat!("Offset of field: ", stringify!(stltsa_seam), "::", stringify!(acceleration))
         );
     }
     test_field_acceleration();
+    fn test_field_wrap() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_seam>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).wrap) as usize - ptr as usize
+            },
+            88usize,
+            concat!("Offset of field: ", stringify!(stltsa_seam), "::", stringify!(wrap))
+        );
+    }
+    test_field_wrap();
 }
-extern "C" {
-    pub fn stltsa_synthesis_seam_count(synthesis: *const stltsa_synthesis) -> i64;
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_piece_fact {
+    pub path: *const ::std::os::raw::c_char,
+    pub begin: i64,
+    pub end: i64,
+    pub repeat: i64,
 }
-extern "C" {
-    pub fn stltsa_synthesis_seam(
-        synthesis: *const stltsa_synthesis,
-        index: i64,
-        seam: *mut stltsa_seam,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_synthesis_warning_count(synthesis: *const stltsa_synthesis) -> i64;
-}
-extern "C" {
-    pub fn stltsa_synthesis_warning(
-        synthesis: *const stltsa_synthesis,
-        index: i64,
-    ) -> *const ::std::os::raw::c_char;
-}
-extern "C" {
-    pub fn stltsa_synthesis_json(
-        synthesis: *const stltsa_synthesis,
-        json: *mut *mut ::std::os::raw::c_char,
-    ) -> stltsa_status;
+#[test]
+fn bindgen_test_layout_stltsa_piece_fact() {
+    assert_eq!(
+        ::std::mem::size_of::<stltsa_piece_fact>(),
+        32usize,
+        concat!("Size of: ", stringify!(stltsa_piece_fact))
+    );
+    assert_eq!(
+        ::std::mem::align_of::<stltsa_piece_fact>(),
+        8usize,
+        concat!("Alignment of ", stringify!(stltsa_piece_fact))
+    );
+    fn test_field_path() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_piece_fact>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).path) as usize - ptr as usize
+            },
+            0usize,
+            concat!("Offset of field: ", stringify!(stltsa_piece_fact), "::", stringify!(path))
+        );
+    }
+    test_field_path();
+    fn test_field_begin() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_piece_fact>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).begin) as usize - ptr as usize
+            },
+            8usize,
+            concat!("Offset of field: ", stringify!(stltsa_piece_fact), "::", stringify!(begin))
+        );
+    }
+    test_field_begin();
+    fn test_field_end() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_piece_fact>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).end) as usize - ptr as usize
+            },
+            16usize,
+            concat!("Offset of field: ", stringify!(stltsa_piece_fact), "::", stringify!(end))
+        );
+    }
+    test_field_end();
+    fn test_field_repeat() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_piece_fact>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).repeat) as usize - ptr as usize
+            },
+            24usize,
+            concat!("Offset of field: ", stringify!(stltsa_piece_fact), "::", stringify!(repeat))
+        );
+    }
+    test_field_repeat();
 }

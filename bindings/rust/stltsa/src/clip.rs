@@ -8,10 +8,12 @@ use stltsa_sys as sys;
 
 use crate::array::{Matrix, View};
 use crate::decomposition::Decomposition;
-use crate::error::{c_name, c_path, check, count, owned_text, text, Error, ErrorKind, Result};
+use crate::error::{c_name, c_optional, c_path, check, count, got, pointer};
+use crate::error::{Error, ErrorKind, Result};
 use crate::handle::Owned;
-use crate::kinds::Format;
+use crate::kinds::{Fact, Format};
 use crate::options::Options;
+use crate::rows::{FileEvent, Joint};
 
 /// A motion-capture clip: BVH, ASF/AMC, plain numbers, or new motion made by the library.
 ///
@@ -19,36 +21,6 @@ use crate::options::Options;
 #[derive(Debug)]
 pub struct Clip {
     pub(crate) handle: Owned<sys::stltsa_clip>,
-}
-
-/// Something that a file says happens, such as a foot strike in C3D.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FileEvent {
-    /// Its name, such as `"Foot Strike"`.
-    pub label: String,
-    /// What it happens to, such as `"Left"`; may be empty.
-    pub context: String,
-    /// Frame of the clip, not rounded; may lie outside it.
-    pub frame: f64,
-    /// From the first frame of the clip; 0 if the rate is unknown.
-    pub seconds: f64,
-}
-
-/// A joint or end site of a clip's skeleton.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Joint {
-    /// Name in the file.
-    pub name: String,
-    /// Index of its parent, an earlier joint; `None` for the root, which is joint 0.
-    pub parent: Option<usize>,
-    /// From the parent, in the parent's axes.
-    pub offset: [f64; 3],
-    /// Its values in each frame, such as `"tx ty tz rz rx ry"`: positions, which replace the offset
-    /// (`+tx` adds to it), and angles in degrees about moving axes. `None`: as input, the usual
-    /// ones; of a clip, those of an ASF file, which this cannot describe.
-    pub channels: Option<String>,
-    /// Whether it ends a limb and so has no rotation.
-    pub is_end_site: bool,
 }
 
 /// Local rotations of a skeleton, a row for each frame.
@@ -100,11 +72,12 @@ fn optional(view: Option<View<'_>>) -> Result<sys::stltsa_in> {
 }
 
 impl Clip {
-    /// Reads a clip; the suffix determines the format, or else the content.
+    /// Reads a clip; the suffix determines the format, or else the content. A [stretch](Clip::stretch)
+    /// may follow the path: `"walk.bvh:cyclic"`.
     ///
     /// ```no_run
     /// let clip = stltsa::Clip::open("walk.bvh")?;
-    /// println!("{} frames of {} joints", clip.frames(), clip.joints()?.len());
+    /// println!("{} frames of {} joints", clip.frames(), clip.joints().len());
     /// # Ok::<(), stltsa::Error>(())
     /// ```
     ///
@@ -122,11 +95,11 @@ impl Clip {
     /// [`Cancelled`](crate::ErrorKind::Cancelled).
     pub fn open_with(path: impl AsRef<Path>, options: &Options) -> Result<Self> {
         let path = c_path(path.as_ref())?;
-        options.call(|options| {
+        let handle = options.make(|options, out| {
             // SAFETY: a string and a handle that live through the call.
-            let open = |out| unsafe { sys::stltsa_clip_open(path.as_ptr(), options, out) };
-            Ok(Self { handle: Owned::make(open)? })
-        })
+            unsafe { sys::stltsa_clip_open_stretch(path.as_ptr(), options, out) }
+        })?;
+        Ok(Self { handle })
     }
 
     /// Reads a clip from memory; `format` `None`: determined by the content. Options used: fps,
@@ -137,13 +110,12 @@ impl Clip {
     pub fn parse(bytes: &[u8], format: Option<Format>, options: &Options) -> Result<Self> {
         let (data, size) = (bytes.as_ptr().cast(), bytes.len());
         let format = format.map_or(0, Format::raw);
-        options.call(|options| {
+        let handle = options.make(|options, out| {
+            let name = std::ptr::null();
             // SAFETY: `size` bytes from `data` live through the call.
-            let parse = |out| unsafe {
-                sys::stltsa_clip_parse(data, size, format, std::ptr::null(), options, out)
-            };
-            Ok(Self { handle: Owned::make(parse)? })
-        })
+            unsafe { sys::stltsa_clip_parse(data, size, format, name, options, out) }
+        })?;
+        Ok(Self { handle })
     }
 
     /// A clip of plain features: one row per frame, `fps` (1e-9 to 1e6) frames per second; copied.
@@ -182,11 +154,11 @@ impl Clip {
             times: optional(points.times)?,
             fps: points.fps.unwrap_or(0.0),
         };
-        options.call(|options| {
+        let handle = options.make(|options, out| {
             // SAFETY: arrays and names live through the call; there is a name for each point.
-            let make = |out| unsafe { sys::stltsa_clip_from_points(&given, options, out) };
-            Ok(Self { handle: Owned::make(make)? })
-        })
+            unsafe { sys::stltsa_clip_from_points(&given, options, out) }
+        })?;
+        Ok(Self { handle })
     }
 
     /// A clip of a skeleton: its joints, their rotations, and the positions of the root (frames x
@@ -205,25 +177,24 @@ impl Clip {
         let names = joints.iter().map(|joint| c_name(&joint.name)).collect::<Result<Vec<_>>>()?;
         let channels = joints
             .iter()
-            .map(|joint| joint.channels.as_deref().map(c_name).transpose())
+            .map(|joint| c_optional(joint.channels.as_deref()))
             .collect::<Result<Vec<_>>>()?;
         let list: Vec<_> = (0..joints.len())
             .map(|j| sys::stltsa_joint {
-                size: std::mem::size_of::<sys::stltsa_joint>(),
                 name: names[j].as_ptr(),
                 parent: joints[j].parent.map_or(-1, |parent| parent as i64),
                 offset: joints[j].offset,
-                channels: channels[j].as_ref().map_or(std::ptr::null(), |text| text.as_ptr()),
+                channels: pointer(&channels[j]),
                 is_end_site: joints[j].is_end_site.into(),
-                reserved: 0,
             })
             .collect();
         let (form, frames) = rotations.parts();
         let (frames, root) = (frames.raw()?, optional(root_positions)?);
         let (data, count) = (list.as_ptr(), list.len() as i64);
+        let size = std::mem::size_of::<sys::stltsa_joint>();
         // SAFETY: `count` joints from `data`, their texts and the arrays live through the call.
         let make = |out| unsafe {
-            sys::stltsa_clip_from_skeleton(data, count, form, &frames, &root, fps, out)
+            sys::stltsa_clip_from_skeleton(data, size, count, form, &frames, &root, fps, out)
         };
         Ok(Self { handle: Owned::make(make)? })
     }
@@ -239,12 +210,11 @@ impl Clip {
     /// [`NoSuchPart`](crate::ErrorKind::NoSuchPart) if the clip lacks it.
     pub fn stretch(&self, what: &str, options: &Options) -> Result<Self> {
         let what = c_name(what)?;
-        options.call(|options| {
+        let handle = options.make(|options, out| {
             // SAFETY: a live handle, and a string that lives through the call.
-            let cut =
-                |out| unsafe { sys::stltsa_clip_stretch(self.raw(), what.as_ptr(), options, out) };
-            Ok(Self { handle: Owned::make(cut)? })
-        })
+            unsafe { sys::stltsa_clip_stretch(self.raw(), what.as_ptr(), options, out) }
+        })?;
+        Ok(Self { handle })
     }
 
     /// Sets the path that messages and results give for a clip made from arrays.
@@ -265,11 +235,11 @@ impl Clip {
     /// [`Unsupported`](ErrorKind::Unsupported) if no two names differ in the side only, if the sides
     /// of the skeleton differ, and for a matrix.
     pub fn mirrored(&self, options: &Options) -> Result<Self> {
-        options.call(|options| {
+        let handle = options.make(|options, out| {
             // SAFETY: a live handle.
-            let mirror = |out| unsafe { sys::stltsa_clip_mirror(self.raw(), options, out) };
-            Ok(Self { handle: Owned::make(mirror)? })
-        })
+            unsafe { sys::stltsa_clip_mirror(self.raw(), options, out) }
+        })?;
+        Ok(Self { handle })
     }
 
     /// The frames of a stretch, as [`Clip::stretch`] names it: one range, or those of a label.
@@ -295,14 +265,7 @@ impl Clip {
                 })?;
                 Ok(count as usize)
             };
-            let none = sys::stltsa_interval {
-                begin: 0,
-                end: 0,
-                begin_s: 0.0,
-                end_s: 0.0,
-                kind: 0,
-                segment: 0,
-            };
+            let none = sys::stltsa_interval { begin: 0, end: 0, begin_s: 0.0, end_s: 0.0 };
             let mut found = vec![none; find(&mut [])?];
             find(&mut found)?;
             Ok(found.iter().map(|one| one.begin as usize..one.end as usize).collect())
@@ -324,106 +287,35 @@ impl Clip {
 
     /// Source format of the clip.
     pub fn format(&self) -> Format {
-        // SAFETY: a live handle.
-        Format::from_raw(unsafe { sys::stltsa_clip_format(self.raw()) })
-    }
-
-    /// Number of values per frame in the file.
-    pub fn channels(&self) -> usize {
-        // SAFETY: a live handle.
-        unsafe { sys::stltsa_clip_channels(self.raw()) as usize }
-    }
-
-    /// Number of joints and end sites; 0 for plain numbers.
-    pub fn joint_count(&self) -> usize {
-        // SAFETY: a live handle.
-        unsafe { sys::stltsa_clip_joints(self.raw()) as usize }
+        Format::from_raw(self.info().int(Fact::Format).expect("a clip has a format"))
     }
 
     /// Joints and end sites in file order, parents first; empty for plain numbers.
-    ///
-    /// # Errors
-    /// None for a valid clip.
-    pub fn joints(&self) -> Result<Vec<Joint>> {
-        (0..self.joint_count()).map(|index| self.joint(index)).collect()
-    }
-
-    fn joint(&self, index: usize) -> Result<Joint> {
-        let mut found = sys::stltsa_joint {
-            size: std::mem::size_of::<sys::stltsa_joint>(),
-            name: std::ptr::null(),
-            parent: -1,
-            offset: [0.0; 3],
-            channels: std::ptr::null(),
-            is_end_site: 0,
-            reserved: 0,
-        };
-        // SAFETY: a live handle, to which the texts belong until they are copied.
-        unsafe {
-            check(sys::stltsa_clip_joint(self.raw(), index as i64, &mut found))?;
-            let channels = (!found.channels.is_null()).then(|| text(found.channels));
-            Ok(Joint {
-                name: text(found.name),
-                parent: usize::try_from(found.parent).ok(),
-                offset: found.offset,
-                channels,
-                is_end_site: found.is_end_site != 0,
-            })
-        }
+    pub fn joints(&self) -> Vec<Joint> {
+        self.info().list(Fact::Joint)
     }
 
     /// Events that the file states, in order of time.
-    ///
-    /// # Errors
-    /// None for a valid clip.
-    pub fn events(&self) -> Result<Vec<FileEvent>> {
-        // SAFETY: a live handle.
-        let count = unsafe { sys::stltsa_clip_event_count(self.raw()) };
-        (0..count).map(|index| self.event(index)).collect()
-    }
-
-    fn event(&self, index: i64) -> Result<FileEvent> {
-        let mut found = sys::stltsa_file_event {
-            size: std::mem::size_of::<sys::stltsa_file_event>(),
-            label: std::ptr::null(),
-            context: std::ptr::null(),
-            frame: 0.0,
-            seconds: 0.0,
-        };
-        // SAFETY: a live handle, to which the texts belong until they are copied.
-        unsafe {
-            check(sys::stltsa_clip_event(self.raw(), index, &mut found))?;
-            Ok(FileEvent {
-                label: text(found.label),
-                context: text(found.context),
-                frame: found.frame,
-                seconds: found.seconds,
-            })
-        }
+    pub fn events(&self) -> Vec<FileEvent> {
+        self.info().list(Fact::FileEvent)
     }
 
     /// World positions from forward kinematics: frames x (3 * joints), x y z of joint 0, joint 1,
     /// ...
     ///
     /// # Errors
-    /// [`Unsupported`](crate::ErrorKind::Unsupported) without a skeleton.
+    /// [`Argument`](crate::ErrorKind::Argument) without a skeleton.
     pub fn positions(&self) -> Result<Matrix> {
-        Matrix::filled(self.frames(), 3 * self.joint_count(), |out| {
-            // SAFETY: a live handle, an array of the size it says.
-            unsafe { sys::stltsa_clip_positions(self.raw(), out) }
-        })
+        self.info().array(Fact::Positions, 0)
     }
 
     /// Local rotations as quaternions: frames x (4 * joints), w x y z, with signs continuous over
     /// time.
     ///
     /// # Errors
-    /// [`Unsupported`](crate::ErrorKind::Unsupported) without a skeleton.
+    /// [`Argument`](crate::ErrorKind::Argument) without a skeleton.
     pub fn rotations(&self) -> Result<Matrix> {
-        Matrix::filled(self.frames(), 4 * self.joint_count(), |out| {
-            // SAFETY: a live handle, an array of the size it says.
-            unsafe { sys::stltsa_clip_rotations(self.raw(), out) }
-        })
+        self.info().array(Fact::Rotations, 0)
     }
 
     /// Features of every frame, unsmoothed: frames x features. Options used: features, up_axis.
@@ -433,23 +325,15 @@ impl Clip {
     /// the features need a skeleton and there is none.
     pub fn features(&self, options: &Options) -> Result<Matrix> {
         options.call(|options| {
-            let mut features = 0;
             // SAFETY: live handles.
-            check(unsafe { sys::stltsa_clip_feature_count(self.raw(), options, &mut features) })?;
-            Matrix::filled(self.frames(), count(features)?, |out| {
+            let features = got(0, |features| unsafe {
+                sys::stltsa_clip_feature_count(self.raw(), options, features)
+            })?;
+            Matrix::filled(self.frames(), count(features), |out| {
                 // SAFETY: live handles, an array of the size it says.
                 unsafe { sys::stltsa_clip_features(self.raw(), options, out) }
             })
         })
-    }
-
-    /// One JSON object that describes the clip (schema: stltsa-clip/1).
-    ///
-    /// # Errors
-    /// [`NoMemory`](crate::ErrorKind::NoMemory).
-    pub fn json(&self) -> Result<String> {
-        // SAFETY: a live handle.
-        owned_text(|out| unsafe { sys::stltsa_clip_json(self.raw(), out) })
     }
 
     /// Writes the clip, completely or not at all. The suffix determines the format: `.bvh` (any
@@ -473,7 +357,7 @@ impl Clip {
         let path = c_path(path.as_ref())?;
         options.call(|options| {
             // SAFETY: a live handle, and a string that lives through the call.
-            check(unsafe { sys::stltsa_clip_save_with(self.raw(), path.as_ptr(), options) })
+            check(unsafe { sys::stltsa_clip_save(self.raw(), path.as_ptr(), options) })
         })
     }
 
@@ -484,7 +368,7 @@ impl Clip {
     /// keep_start, rate, smoothing, period_min, period_max, segments, threads, progress.
     ///
     /// ```
-    /// use stltsa::{Clip, Options, UnitKind};
+    /// use stltsa::{Clip, Fact, Options, UnitKind};
     ///
     /// // Two seconds of standing, eight of swinging with a period of one second, then standing.
     /// let swing = |t: f64| match t {
@@ -495,7 +379,7 @@ impl Clip {
     ///     (0..360).map(|i| i as f64 / 30.0).map(|t| [swing(t), 0.5 * swing(t - 0.1)]).collect();
     /// let units = Clip::from_matrix(&frames, 30.0)?.decompose(&Options::new())?;
     ///
-    /// assert!((units.info().period.unwrap() - 1.0).abs() < 0.05);
+    /// assert!((units.info().real(Fact::Period)? - 1.0).abs() < 0.05);
     /// for unit in units.units() {
     ///     println!("{} {:.2} s .. {:.2} s", unit.kind, unit.begin_s, unit.end_s);
     /// }
@@ -507,10 +391,10 @@ impl Clip {
     /// [`Argument`](crate::ErrorKind::Argument) for a clip of unknown frame rate (set option fps
     /// when opening it); others as [`Model::fit`](crate::Model::fit).
     pub fn decompose(&self, options: &Options) -> Result<Decomposition> {
-        Decomposition::new(self, options)
-    }
-
-    pub(crate) fn raw(&self) -> *const sys::stltsa_clip {
-        self.handle.raw()
+        let handle = options.make(|options, out| {
+            // SAFETY: live handles.
+            unsafe { sys::stltsa_decompose(self.raw(), options, out) }
+        })?;
+        Ok(Decomposition { handle })
     }
 }

@@ -63,36 +63,36 @@ pub(crate) fn check(status: sys::stltsa_status) -> Result<()> {
     Err(Error::new(ErrorKind::from_raw(status), message))
 }
 
-/// A copy of a text of the library. Bytes that are not UTF-8 (names from files) are replaced.
+/// A copy of a text of the library; bytes that are not UTF-8 (names from files) are replaced. NULL,
+/// as of a member that an older library does not know, is "".
 ///
 /// # Safety
-/// `raw` is a string that ends with a zero byte.
+/// `raw` is NULL, or a string that ends with a zero byte.
 pub(crate) unsafe fn text(raw: *const std::os::raw::c_char) -> String {
+    if raw.is_null() {
+        return String::new();
+    }
     // SAFETY: as the caller promises.
     unsafe { CStr::from_ptr(raw) }.to_string_lossy().into_owned()
 }
 
-/// A text allocated by the library, such as JSON.
-pub(crate) fn owned_text(
-    make: impl FnOnce(*mut *mut std::os::raw::c_char) -> sys::stltsa_status,
-) -> Result<String> {
-    let mut raw = std::ptr::null_mut();
-    check(make(&mut raw))?;
-    // SAFETY: the call succeeded, so `raw` is a string that this side has to free.
-    unsafe {
-        let copy = text(raw);
-        sys::stltsa_free(raw.cast());
-        Ok(copy)
-    }
-}
-
-/// The path for C.
 /// A name for C, which ends at the first NUL.
 pub(crate) fn c_name(name: &str) -> Result<CString> {
     CString::new(name)
         .map_err(|_| Error::new(ErrorKind::Argument, format!("the name {name:?} contains NUL")))
 }
 
+/// The same of a text that may be left out.
+pub(crate) fn c_optional(text: Option<&str>) -> Result<Option<CString>> {
+    text.map(c_name).transpose()
+}
+
+/// NULL for none.
+pub(crate) fn pointer(text: &Option<CString>) -> *const std::os::raw::c_char {
+    text.as_ref().map_or(std::ptr::null(), |text| text.as_ptr())
+}
+
+/// The path for C.
 pub(crate) fn c_path(path: &Path) -> Result<CString> {
     #[cfg(unix)]
     let bytes = Some(std::os::unix::ffi::OsStrExt::as_bytes(path.as_os_str()));
@@ -104,9 +104,8 @@ pub(crate) fn c_path(path: &Path) -> Result<CString> {
 }
 
 /// A count returned by the library.
-pub(crate) fn count(value: i64) -> Result<usize> {
-    usize::try_from(value)
-        .map_err(|_| Error::new(ErrorKind::Internal, format!("{value} is not a count")))
+pub(crate) fn count(value: i64) -> usize {
+    usize::try_from(value).expect("the library counts from 0")
 }
 
 /// A count for C.
@@ -115,21 +114,8 @@ pub(crate) fn c_count(value: usize) -> Result<i64> {
         .map_err(|_| Error::new(ErrorKind::Shape, format!("{value} is too large a count")))
 }
 
-/// A number written by a call.
-pub(crate) fn got<T: Default>(get: impl FnOnce(&mut T) -> sys::stltsa_status) -> Result<T> {
-    let mut value = T::default();
+/// A value written by a call.
+pub(crate) fn got<T>(mut value: T, get: impl FnOnce(&mut T) -> sys::stltsa_status) -> Result<T> {
     check(get(&mut value))?;
     Ok(value)
-}
-
-/// Copies of `count` texts of the library.
-///
-/// # Safety
-/// `get` returns strings that end with a zero byte and live until they are copied.
-pub(crate) unsafe fn texts(
-    count: i64,
-    get: impl Fn(i64) -> *const std::os::raw::c_char,
-) -> Vec<String> {
-    // SAFETY: as the caller promises.
-    (0..count).map(|index| unsafe { text(get(index)) }).collect()
 }

@@ -7,6 +7,12 @@ use std::ptr::NonNull;
 use stltsa_sys as sys;
 
 use crate::error::{check, Result};
+use crate::info::Info;
+use crate::kinds::Fact;
+use crate::rows::Warning;
+use crate::{
+    Clip, Comparison, Cycles, Decomposition, Denoising, Events, Live, Model, Phase, Synthesis,
+};
 
 /// An opaque type of the library, with the function that frees it.
 pub(crate) trait Handle {
@@ -28,7 +34,6 @@ handles! {
     stltsa_options: stltsa_options_free
     stltsa_clip: stltsa_clip_free
     stltsa_model: stltsa_model_free
-    stltsa_dimension: stltsa_dimension_free
     stltsa_decomposition: stltsa_decomposition_free
     stltsa_denoising: stltsa_denoising_free
     stltsa_phase: stltsa_phase_free
@@ -37,6 +42,47 @@ handles! {
     stltsa_live: stltsa_live_free
     stltsa_cycles: stltsa_cycles_free
     stltsa_synthesis: stltsa_synthesis_free
+}
+
+macro_rules! objects {
+    ($($name:ident: $raw:ident, $info:ident)*) => {$(
+        impl $name {
+            /// Everything that it says, by key.
+            pub fn info(&self) -> Info<'_> {
+                // SAFETY: a live handle, which the result borrows.
+                unsafe { Info::new(sys::$info(self.raw())) }
+            }
+
+            /// One JSON object: see [`Info::json`].
+            ///
+            /// # Errors
+            /// As [`Info::json`].
+            pub fn json(&self) -> Result<String> {
+                self.info().json()
+            }
+
+            /// What a user should know about it.
+            pub fn warnings(&self) -> Vec<Warning> {
+                self.info().list(Fact::Warning)
+            }
+
+            pub(crate) fn raw(&self) -> *const sys::$raw {
+                self.handle.raw()
+            }
+        }
+    )*};
+}
+objects! {
+    Clip: stltsa_clip, stltsa_clip_info
+    Model: stltsa_model, stltsa_model_info
+    Decomposition: stltsa_decomposition, stltsa_decomposition_info
+    Denoising: stltsa_denoising, stltsa_denoising_info
+    Phase: stltsa_phase, stltsa_phase_info
+    Comparison: stltsa_comparison, stltsa_comparison_info
+    Events: stltsa_events, stltsa_events_info
+    Live: stltsa_live, stltsa_live_info
+    Cycles: stltsa_cycles, stltsa_cycles_info
+    Synthesis: stltsa_synthesis, stltsa_synthesis_info
 }
 
 /// A handle that this crate owns and frees.

@@ -18,8 +18,8 @@ macro_rules! kinds {
 
         impl $name {
             #[allow(dead_code)] // some are only arguments, some only results
-            pub(crate) fn from_raw(value: i32) -> Self {
-                match value {
+            pub(crate) fn from_raw(value: impl TryInto<i32>) -> Self {
+                match value.try_into().unwrap_or(i32::MAX) {
                     $(stltsa_sys::$value => Self::$variant,)*
                     other => Self::Other(other),
                 }
@@ -43,14 +43,14 @@ pub use generated::*;
 impl fmt::Display for UnitKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         // SAFETY: a static text for any number.
-        f.pad(&unsafe { crate::error::text(sys::stltsa_unit_name(self.raw())) })
+        f.pad(&unsafe { crate::error::text(sys::stltsa_unit_name(self.raw().into())) })
     }
 }
 
 impl fmt::Display for SegmentKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         // SAFETY: a static text for any number.
-        f.pad(&unsafe { crate::error::text(sys::stltsa_segment_name(self.raw())) })
+        f.pad(&unsafe { crate::error::text(sys::stltsa_segment_name(self.raw().into())) })
     }
 }
 

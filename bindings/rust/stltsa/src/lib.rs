@@ -18,13 +18,13 @@
 //! * [`Clip`]: reads and writes clips, forward kinematics, features.
 //! * [`Clip::decompose`]: motion units and cycles ([`Decomposition`]).
 //! * [`Model`]: the curve itself, from clips or from your own matrix; [maps](Model::map) new frames
-//!   onto it and [coordinates back](Model::unmap_clip) to poses; can be saved to files.
-//! * [`Dimension`]: the intrinsic dimension of a motion.
+//!   onto it and [coordinates back](Model::unmap_clip) to poses; can be saved to files. Option
+//!   `intrinsic` also estimates the dimension of the motion.
 //! * [`Denoising`]: a curve without its noise.
 //! * [`Phase`]: a phase for every frame, and signals on 0 to 100 % of each cycle ([`Cycles`]).
 //! * [`Comparison`]: the cycles of two clips, or left and right of one, aligned by phase.
 //! * [`Synthesis`]: new motion from pieces of clips.
-//! * [`Facts`]: all other facts about a clip or a result, by key.
+//! * [`Info`]: everything that a clip or a result says, by key.
 //! * [`Options`]: deviations from the defaults, progress and cancelling.
 //!
 //! # Conventions
@@ -53,44 +53,43 @@ mod clip;
 mod comparison;
 mod decomposition;
 mod denoising;
-mod dimension;
 mod error;
 mod events;
-mod facts;
 mod handle;
+mod info;
 mod kinds;
 mod live;
 mod mapping;
 mod model;
 mod options;
-mod parts;
 mod phase;
 mod progress;
+mod rows;
 mod sides;
 mod synthesis;
 #[cfg(feature = "ndarray")]
 mod with_ndarray;
 
 pub use array::{Element, Matrix, View};
-pub use clip::{Clip, FileEvent, Joint, Points, Rotations};
-pub use comparison::{ComparedPart, Comparison, Difference};
-pub use decomposition::{Decomposition, DecompositionInfo, Interval};
-pub use denoising::{DenoisedColumn, Denoising};
-pub use dimension::{Dimension, Estimate};
+pub use clip::{Clip, Points, Rotations};
+pub use comparison::Comparison;
+pub use decomposition::Decomposition;
+pub use denoising::Denoising;
 pub use error::{Error, ErrorKind, Result};
-pub use events::{Event, Events};
-pub use facts::Facts;
+pub use events::Events;
+pub use info::Info;
 pub use kinds::{
-    Axis, Component, Fact, Features, Format, Gaps, Mode, OptionKey, SegmentKind, Stage, UnitKind,
+    Axis, BuildPart, Fact, Features, Format, Gaps, Mode, OptionKey, Quantity, SegmentKind, Stage,
+    UnitKind, WarningKind,
 };
 pub use live::{Live, LiveFrame};
 pub use mapping::{Mapped, Poses, Unmapped};
-pub use model::{Model, ModelInfo};
+pub use model::Model;
 pub use options::{options_table, OptionInfo, Options};
-pub use parts::{Part, PartKind, Quantity, Segment, Statistics, Summary, Travel};
 pub use phase::{Cycles, Phase};
+pub use rows::*;
 pub use sides::Side;
-pub use synthesis::{Piece, Seam, Synthesis};
+pub use synthesis::{Piece, Synthesis};
 
 /// Tests the README's programs together with the documentation.
 #[cfg(doctest)]
@@ -106,10 +105,10 @@ pub fn version() -> String {
 /// Whether this build of the library has an optional part.
 ///
 /// ```
-/// let has_cholmod = stltsa::has(stltsa::Component::Cholmod);
+/// let has_cholmod = stltsa::has(stltsa::BuildPart::Cholmod);
 /// # let _ = has_cholmod;
 /// ```
-pub fn has(part: Component) -> bool {
+pub fn has(part: BuildPart) -> bool {
     // SAFETY: it takes any number.
     unsafe { stltsa_sys::stltsa_has(part.raw()) != 0 }
 }

@@ -1,40 +1,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //! [`Live`]: the phase of a stream, frame by frame.
 
-use std::ffi::CString;
-
 use stltsa_sys as sys;
 
 use crate::array::View;
 use crate::clip::{Clip, Rotations};
-use crate::error::{c_count, check, texts, Error, ErrorKind, Result};
+use crate::error::{c_count, c_name, check, Result};
 use crate::handle::Owned;
-use crate::kinds::SegmentKind;
+use crate::kinds::{Fact, SegmentKind};
 use crate::model::Model;
+use crate::options::Options;
 use crate::phase::Phase;
 
 impl Model {
     /// Keeps the mean cycle of the clip's motion that has the most frames in cycles, for [`Live`].
-    /// Model files keep it. Marks that were kept before are forgotten.
+    /// Model files keep it. Marks that were kept before are forgotten. Option used: progress.
     ///
     /// # Errors
-    /// [`Argument`](ErrorKind::Argument) if there are no cycles, or they are too short for the
-    /// filter to settle; [`Shape`](ErrorKind::Shape) if the features are not those of the model;
-    /// [`Degenerate`](ErrorKind::Degenerate) if all columns only drift.
-    pub fn keep_cycle(&mut self, phase: &Phase) -> Result<()> {
-        // SAFETY: live handles; the model is not shared.
-        check(unsafe { sys::stltsa_model_keep_cycle(self.handle.raw_mut(), phase.raw()) })
+    /// [`Argument`](crate::ErrorKind::Argument) if there are no cycles, or they are too short for the
+    /// filter to settle; [`Shape`](crate::ErrorKind::Shape) if the features are not those of the model;
+    /// [`Degenerate`](crate::ErrorKind::Degenerate) if all columns only drift.
+    pub fn keep_cycle(&mut self, phase: &Phase, options: &Options) -> Result<()> {
+        let model = self.handle.raw_mut();
+        options.call(|options| {
+            // SAFETY: live handles; the model is not shared.
+            check(unsafe { sys::stltsa_model_keep_cycle(model, phase.raw(), options) })
+        })
     }
 
     /// Names the phase of a frame, which need not be whole, in those cycles; a stream reports it as
     /// it passes. At most 62.
     ///
     /// # Errors
-    /// [`Argument`](ErrorKind::Argument) if the frame lies in no cycle of that motion, or the name
+    /// [`Argument`](crate::ErrorKind::Argument) if the frame lies in no cycle of that motion, or the name
     /// is empty.
     pub fn keep_mark(&mut self, phase: &Phase, frame: f64, name: &str) -> Result<()> {
-        let name = CString::new(name)
-            .map_err(|_| Error::new(ErrorKind::Argument, "the name has a zero".to_owned()))?;
+        let name = c_name(name)?;
         // SAFETY: live handles; the model is not shared; a text that ends with zero.
         check(unsafe {
             sys::stltsa_model_keep_mark(self.handle.raw_mut(), phase.raw(), frame, name.as_ptr())
@@ -43,8 +44,7 @@ impl Model {
 
     /// Whether the model keeps a mean cycle.
     pub fn has_cycle(&self) -> bool {
-        // SAFETY: a live handle.
-        unsafe { sys::stltsa_model_has_cycle(self.handle.raw()) == 1 }
+        self.info().int(Fact::HasCycle) == Ok(1)
     }
 }
 
@@ -88,7 +88,7 @@ impl LiveFrame {
 /// let options = Options::new();
 /// let phase = Phase::find(&walk.decompose(&options)?, &options)?;
 /// let mut model = Model::fit_clip(&walk, &options)?;
-/// model.keep_cycle(&phase)?;
+/// model.keep_cycle(&phase, &options)?;
 /// let mut live = Live::new(&model)?;
 /// for index in 0..walk.frames() {
 ///     let now = live.push_frame(index as f64 / walk.fps().unwrap(), &walk, index)?;
@@ -98,31 +98,23 @@ impl LiveFrame {
 /// ```
 #[derive(Debug)]
 pub struct Live {
-    handle: Owned<sys::stltsa_live>,
-    marks: Vec<String>,
+    pub(crate) handle: Owned<sys::stltsa_live>,
 }
 
 impl Live {
     /// Starts a stream. It does not refer to the model.
     ///
     /// # Errors
-    /// [`Unsupported`](ErrorKind::Unsupported) if the model keeps no mean cycle.
+    /// [`Unsupported`](crate::ErrorKind::Unsupported) if the model keeps no mean cycle.
     pub fn new(model: &Model) -> Result<Self> {
         // SAFETY: a live handle.
-        let handle: Owned<sys::stltsa_live> =
-            Owned::make(|out| unsafe { sys::stltsa_live_new(model.handle.raw(), out) })?;
-        // SAFETY: a live handle.
-        let marks = unsafe {
-            texts(sys::stltsa_live_mark_count(handle.raw()), |index| {
-                sys::stltsa_live_mark_name(handle.raw(), index)
-            })
-        };
-        Ok(Self { handle, marks })
+        let make = |out| unsafe { sys::stltsa_live_new(model.raw(), out) };
+        Ok(Self { handle: Owned::make(make)? })
     }
 
     /// Names of the model's marks, in the order in which they were kept.
-    pub fn marks(&self) -> &[String] {
-        &self.marks
+    pub fn marks(&self) -> Vec<String> {
+        self.info().texts(Fact::Mark).unwrap_or_default()
     }
 
     /// Takes the next frame as features: with a skeleton a row of
@@ -137,7 +129,7 @@ impl Live {
     /// less surely.
     ///
     /// # Errors
-    /// [`Shape`](ErrorKind::Shape), [`Argument`](ErrorKind::Argument) if `seconds` is not finite.
+    /// [`Shape`](crate::ErrorKind::Shape), [`Argument`](crate::ErrorKind::Argument) if `seconds` is not finite.
     pub fn push(&mut self, seconds: f64, features: &[f64]) -> Result<LiveFrame> {
         let input = View::new(features, 1, features.len())?.raw()?;
         // SAFETY: a live handle that is not shared, an array of the size it says.
@@ -150,7 +142,7 @@ impl Live {
     /// faces does not count.
     ///
     /// # Errors
-    /// As [`push`](Self::push); [`Unsupported`](ErrorKind::Unsupported): the model is of a clip
+    /// As [`push`](Self::push); [`Unsupported`](crate::ErrorKind::Unsupported): the model is of a clip
     /// without points.
     pub fn push_points(
         &mut self,
@@ -172,8 +164,8 @@ impl Live {
     /// moves.
     ///
     /// # Errors
-    /// As [`push`](Self::push); [`Argument`](ErrorKind::Argument): the numbers are no rotation;
-    /// [`Unsupported`](ErrorKind::Unsupported): the model is of a clip without a skeleton, or its
+    /// As [`push`](Self::push); [`Argument`](crate::ErrorKind::Argument): the numbers are no rotation;
+    /// [`Unsupported`](crate::ErrorKind::Unsupported): the model is of a clip without a skeleton, or its
     /// features are numbers of the file.
     pub fn push_pose(
         &mut self,

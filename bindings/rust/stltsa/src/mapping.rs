@@ -6,7 +6,7 @@ use stltsa_sys as sys;
 use crate::array::{list_in, list_out, Matrix, View};
 use crate::clip::Clip;
 use crate::error::{c_count, check, count, Error, ErrorKind, Result};
-use crate::handle::Owned;
+use crate::kinds::Fact;
 use crate::model::Model;
 use crate::options::Options;
 
@@ -15,7 +15,7 @@ use crate::options::Options;
 pub struct Mapped {
     /// rows x d.
     pub coords: Matrix,
-    /// Distance of each row from the fitted frames over [`reach`](crate::ModelInfo::reach). Beyond
+    /// Distance of each row from the fitted frames over [`Fact::Reach`]. Beyond
     /// 1 the frame is unlike the fitted ones and its coordinates are unreliable.
     pub distance: Vec<f64>,
     /// Nearest model row of each row, whose component gives the coordinates.
@@ -46,22 +46,8 @@ pub struct Poses {
     pub nearest: Vec<usize>,
 }
 
-/// Per-row results of every mapping.
-struct Place {
-    distance: Matrix,
-    nearest: Vec<i64>,
-}
-
-impl Place {
-    fn of(rows: usize) -> Result<Self> {
-        Ok(Self { distance: Matrix::zeros(rows, 1)?, nearest: vec![0; rows] })
-    }
-
-    fn into_parts(self) -> Result<(Vec<f64>, Vec<usize>)> {
-        let nearest = self.nearest.into_iter().map(count).collect::<Result<_>>()?;
-        Ok((self.distance.into_vec(), nearest))
-    }
-}
+/// What every mapping gives for its rows: numbers, distance, nearest.
+type Rows = (Matrix, Vec<f64>, Vec<usize>);
 
 /// Hints as C expects them: a row number for each row, -1 for everywhere.
 fn c_hints(hints: Option<&[Option<usize>]>, rows: usize) -> Result<Option<Vec<i64>>> {
@@ -76,9 +62,26 @@ fn c_hints(hints: Option<&[Option<usize>]>, rows: usize) -> Result<Option<Vec<i6
     }
 }
 
-/// Null for none.
-fn pointer(hints: &Option<sys::stltsa_in>) -> *const sys::stltsa_in {
-    hints.as_ref().map_or(std::ptr::null(), |hints| hints)
+/// `stltsa_map` and `stltsa_unmap`.
+type Map = unsafe extern "C" fn(
+    *const sys::stltsa_model,
+    *const sys::stltsa_in,
+    *const sys::stltsa_in,
+    *const sys::stltsa_options,
+    *const sys::stltsa_out,
+    *const sys::stltsa_out,
+    *const sys::stltsa_out,
+) -> sys::stltsa_status;
+
+/// Lets `map` fill the results of so many rows, each of so many numbers.
+fn filled(
+    (rows, cols): (usize, usize),
+    map: impl FnOnce(&sys::stltsa_out, &sys::stltsa_out, &sys::stltsa_out) -> Result<()>,
+) -> Result<Rows> {
+    let (mut numbers, mut distance) = (Matrix::zeros(rows, cols)?, Matrix::zeros(rows, 1)?);
+    let mut nearest = vec![0; rows];
+    map(&numbers.raw_out()?, &distance.raw_out()?, &list_out(&mut nearest)?)?;
+    Ok((numbers, distance.into_vec(), nearest.into_iter().map(count).collect()))
 }
 
 impl Model {
@@ -116,12 +119,29 @@ impl Model {
         hints: Option<&[Option<usize>]>,
         options: &Options,
     ) -> Result<Mapped> {
-        let (raw, hints) = (frames.raw()?, c_hints(hints, frames.rows())?);
+        let (coords, distance, nearest) =
+            self.rows(sys::stltsa_map, Fact::Dimension, frames, hints, options)?;
+        Ok(Mapped { coords, distance, nearest })
+    }
+
+    /// `columns`: the number of columns that the map makes.
+    fn rows(
+        &self,
+        map: Map,
+        columns: Fact,
+        rows: View<'_>,
+        hints: Option<&[Option<usize>]>,
+        options: &Options,
+    ) -> Result<Rows> {
+        let (raw, hints) = (rows.raw()?, c_hints(hints, rows.rows())?);
         let hints = hints.as_deref().map(list_in).transpose()?;
-        self.mapped(frames.rows(), options, |options, coords, distance, nearest| {
-            let hints = pointer(&hints);
-            // SAFETY: live handles, and arrays of as many rows as `raw` says.
-            unsafe { sys::stltsa_map(self.raw(), &raw, hints, options, coords, distance, nearest) }
+        let shape = (rows.rows(), count(self.info().int(columns)?));
+        filled(shape, |numbers, distance, nearest| {
+            options.call(|options| {
+                let hints = hints.as_ref().map_or(std::ptr::null(), |hints| hints);
+                // SAFETY: live handles, and arrays of as many rows as `raw` says.
+                check(unsafe { map(self.raw(), &raw, hints, options, numbers, distance, nearest) })
+            })
         })
     }
 
@@ -132,32 +152,17 @@ impl Model {
     /// # Errors
     /// As [`Model::map`]; [`Shape`](ErrorKind::Shape) if the features differ.
     pub fn map_clip(&self, clip: &Clip, options: &Options) -> Result<Mapped> {
-        self.mapped(clip.frames(), options, |options, coords, distance, nearest| {
-            // SAFETY: live handles, and arrays of as many rows as the clip has frames.
-            unsafe {
-                sys::stltsa_map_clip(self.raw(), clip.raw(), options, coords, distance, nearest)
-            }
-        })
-    }
-
-    fn mapped(
-        &self,
-        rows: usize,
-        options: &Options,
-        map: impl FnOnce(
-            *const sys::stltsa_options,
-            &sys::stltsa_out,
-            &sys::stltsa_out,
-            &sys::stltsa_out,
-        ) -> sys::stltsa_status,
-    ) -> Result<Mapped> {
-        let (mut coords, mut place) =
-            (Matrix::zeros(rows, self.info().dimension)?, Place::of(rows)?);
-        options.call(|options| {
-            let (coords, distance) = (coords.raw_out()?, place.distance.raw_out()?);
-            check(map(options, &coords, &distance, &list_out(&mut place.nearest)?))
+        let shape = (clip.frames(), count(self.info().int(Fact::Dimension)?));
+        let (model, clip) = (self.raw(), clip.raw());
+        let (coords, distance, nearest) = filled(shape, |coords, distance, nearest| {
+            options.call(|options| {
+                // SAFETY: live handles, and arrays of as many rows as the clip has frames.
+                let map = unsafe {
+                    sys::stltsa_map_clip(model, clip, options, coords, distance, nearest)
+                };
+                check(map)
+            })
         })?;
-        let (distance, nearest) = place.into_parts()?;
         Ok(Mapped { coords, distance, nearest })
     }
 
@@ -194,20 +199,8 @@ impl Model {
         hints: Option<&[Option<usize>]>,
         options: &Options,
     ) -> Result<Unmapped> {
-        let rows = coords.rows();
-        let (raw, hints) = (coords.raw()?, c_hints(hints, rows)?);
-        let hints = hints.as_deref().map(list_in).transpose()?;
-        let (mut frames, mut place) =
-            (Matrix::zeros(rows, self.info().features)?, Place::of(rows)?);
-        options.call(|options| {
-            let (frames, distance) = (frames.raw_out()?, place.distance.raw_out()?);
-            let (hints, nearest) = (pointer(&hints), list_out(&mut place.nearest)?);
-            // SAFETY: live handles, and arrays of as many rows as `raw` says.
-            check(unsafe {
-                sys::stltsa_unmap(self.raw(), &raw, hints, options, &frames, &distance, &nearest)
-            })
-        })?;
-        let (distance, nearest) = place.into_parts()?;
+        let (frames, distance, nearest) =
+            self.rows(sys::stltsa_unmap, Fact::FeatureCount, coords, hints, options)?;
         Ok(Unmapped { frames, distance, nearest })
     }
 
@@ -243,16 +236,18 @@ impl Model {
     ) -> Result<Poses> {
         let (raw, hints) = (coords.raw()?, c_hints(hints, coords.rows())?);
         let hints = hints.as_deref().map(list_in).transpose()?;
-        let mut place = Place::of(coords.rows())?;
-        let handle = options.call(|options| {
-            let distance = place.distance.raw_out()?;
-            let (hints, nearest) = (pointer(&hints), list_out(&mut place.nearest)?);
-            // SAFETY: live handles, and arrays of as many rows as `raw` says.
-            Owned::make(|out| unsafe {
-                sys::stltsa_unmap_clip(self.raw(), &raw, hints, options, &distance, &nearest, out)
-            })
+        let mut made = None;
+        let (_, distance, nearest) = filled((coords.rows(), 0), |_, distance, nearest| {
+            made = Some(options.make(|options, out| {
+                let hints = hints.as_ref().map_or(std::ptr::null(), |hints| hints);
+                // SAFETY: live handles, and arrays of as many rows as `raw` says.
+                unsafe {
+                    sys::stltsa_unmap_clip(self.raw(), &raw, hints, options, distance, nearest, out)
+                }
+            })?);
+            Ok(())
         })?;
-        let (distance, nearest) = place.into_parts()?;
+        let handle = made.expect("it was filled");
         Ok(Poses { clip: Clip { handle }, distance, nearest })
     }
 }

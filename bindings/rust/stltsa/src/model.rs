@@ -5,13 +5,13 @@ use std::path::Path;
 
 use stltsa_sys as sys;
 
-use crate::array::{list_in, list_out, Matrix, View};
+use crate::array::{list_in, Matrix, View};
 use crate::clip::Clip;
-use crate::error::{c_count, c_path, check, count, owned_text, texts, Error, ErrorKind, Result};
-use crate::facts::Facts;
+use crate::error::{c_count, c_path, check, Error, ErrorKind, Result};
 use crate::handle::Owned;
-use crate::kinds::{Fact, Mode};
+use crate::kinds::Fact;
 use crate::options::Options;
+use crate::rows::Component;
 
 /// A fitted curve (spatio-temporal LTSA): coordinates of every frame, and their quality.
 ///
@@ -25,9 +25,9 @@ use crate::options::Options;
 ///     .collect();
 /// let model = Model::fit(&frames, &Options::new().dimension(2).neighbors(120))?;
 ///
-/// let coords = model.coords()?;
+/// let coords = model.coords();
 /// assert_eq!((coords.rows(), coords.cols()), (300, 2));
-/// assert!(model.info().residual < 1e-9);
+/// assert!(model.components()[0].residual < 1e-9);
 ///
 /// // A fitted frame gets its own coordinates, to the bit.
 /// let mapped = model.map(&frames[..10], &Options::new())?;
@@ -37,60 +37,6 @@ use crate::options::Options;
 #[derive(Debug)]
 pub struct Model {
     pub(crate) handle: Owned<sys::stltsa_model>,
-    info: ModelInfo,
-}
-
-/// Data, parameters and quality of a fit. Frames are rows of the model.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct ModelInfo {
-    /// Rows of the coordinates.
-    pub frames: usize,
-    /// Number of fitted columns.
-    pub features: usize,
-    /// Number of coordinates, d.
-    pub dimension: usize,
-    /// k of the fit.
-    pub neighbors: usize,
-    /// w of the fit.
-    pub window: usize,
-    /// Candidates for neighbors.
-    pub mode: Mode,
-    /// Whether a frame was among its own neighbors.
-    pub include_self: bool,
-    /// Neighbors from outside the exclusion zone (mode recurrent).
-    pub links: usize,
-    /// Half width of that zone (mode recurrent).
-    pub exclusion: usize,
-    /// Connected components of the neighborhood graph; coordinates of different ones are not
-    /// comparable.
-    pub components: usize,
-    /// Number of frames that were dropped because they repeat the previous one.
-    pub repeated: usize,
-    /// Number of windows with fewer than d directions.
-    pub rank_deficient: usize,
-    /// Applications of the inverse operator by the eigensolver.
-    pub solves: usize,
-    /// Row i is frame `first_frame + i * frame_step` of the clip.
-    pub first_frame: usize,
-    /// See `first_frame`; 1 for matrices.
-    pub frame_step: usize,
-    /// Largest ||B u - lambda u|| / k over the coordinates.
-    pub residual: f64,
-    /// Estimate of the largest principal angle to the exact embedding of these neighborhoods, in
-    /// radians.
-    pub error_estimate: f64,
-    /// Smallest lambda_{d+2} / lambda_{d+1} of a component; near 1 the curve is ill-defined.
-    pub gap: f64,
-    /// |Rank correlation| of coordinate 1 with time; at 1 it only follows time.
-    pub time_correlation: f64,
-    /// Rows per second; `None` if unknown.
-    pub fps: Option<f64>,
-    /// Period in seconds from which an automatic k is derived.
-    pub period: Option<f64>,
-    /// Distance from the fitted frames, in units of the features, up to which a new frame counts as
-    /// similar. `None`: the model kept no frames and cannot map.
-    pub reach: Option<f64>,
 }
 
 impl Model {
@@ -121,11 +67,12 @@ impl Model {
         options: &Options,
     ) -> Result<Self> {
         let (frames, lengths) = (frames.into().raw()?, c_lengths(lengths)?);
-        options.call(|options| {
-            let lengths = list_in(&lengths)?;
+        let lengths = list_in(&lengths)?;
+        let handle = options.make(|options, out| {
             // SAFETY: arrays of the sizes they say, and a handle, live through the call.
-            Self::made(|out| unsafe { sys::stltsa_fit(&frames, &lengths, options, out) })
-        })
+            unsafe { sys::stltsa_fit(&frames, &lengths, options, out) }
+        })?;
+        Ok(Self { handle })
     }
 
     /// Fits a model to a clip: its features without a T-pose at the start, smoothed and decimated.
@@ -135,44 +82,48 @@ impl Model {
     /// # Errors
     /// As [`Model::fit`].
     pub fn fit_clip(clip: &Clip, options: &Options) -> Result<Self> {
-        options.call(|options| {
-            // SAFETY: live handles.
-            Self::made(|out| unsafe { sys::stltsa_fit_clip(clip.raw(), options, out) })
-        })
+        Self::fit_clips(&[clip], options)
     }
 
     /// The same from several clips of one hierarchy, each prepared as by itself. In
-    /// [`Model::facts`] the place of the rows has a value for each clip.
+    /// [`Model::info`] the place of the rows has a value for each clip.
     ///
     /// # Errors
     /// As [`Model::fit`]; [`Shape`](ErrorKind::Shape) for clips that do not go together.
     pub fn fit_clips(clips: &[&Clip], options: &Options) -> Result<Self> {
         let clips: Vec<_> = clips.iter().map(|clip| clip.raw()).collect();
-        let count = c_count(clips.len())?;
-        options.call(|options| {
+        let (clips, count) = (clips.as_ptr(), c_count(clips.len())?);
+        let handle = options.make(|options, out| {
             // SAFETY: live handles, as many as it says.
-            Self::made(|out| unsafe { sys::stltsa_fit_clips(clips.as_ptr(), count, options, out) })
+            unsafe { sys::stltsa_fit_clips(clips, count, options, out) }
+        })?;
+        Ok(Self { handle })
+    }
+
+    /// Reads a model written by [`Model::save`]; it gives the same bits as the saved one. Option
+    /// used: progress.
+    ///
+    /// # Errors
+    /// [`Io`](ErrorKind::Io), [`Format`](ErrorKind::Format), [`Cancelled`](ErrorKind::Cancelled).
+    pub fn load(path: impl AsRef<Path>, options: &Options) -> Result<Self> {
+        let path = c_path(path.as_ref())?;
+        let handle = options.make(|options, out| {
+            // SAFETY: a string and a handle that live through the call.
+            unsafe { sys::stltsa_model_load(path.as_ptr(), options, out) }
+        })?;
+        Ok(Self { handle })
+    }
+
+    /// Writes the model to a file, completely or not at all. Option used: progress.
+    ///
+    /// # Errors
+    /// [`Io`](ErrorKind::Io), [`Cancelled`](ErrorKind::Cancelled).
+    pub fn save(&self, path: impl AsRef<Path>, options: &Options) -> Result<()> {
+        let path = c_path(path.as_ref())?;
+        options.call(|options| {
+            // SAFETY: live handles, and a string that lives through the call.
+            check(unsafe { sys::stltsa_model_save(self.raw(), path.as_ptr(), options) })
         })
-    }
-
-    /// Reads a model written by [`Model::save`]; it gives the same bits as the saved one.
-    ///
-    /// # Errors
-    /// [`Io`](ErrorKind::Io), [`Format`](ErrorKind::Format).
-    pub fn load(path: impl AsRef<Path>) -> Result<Self> {
-        let path = c_path(path.as_ref())?;
-        // SAFETY: a string that lives through the call.
-        Self::made(|out| unsafe { sys::stltsa_model_load(path.as_ptr(), out) })
-    }
-
-    /// Writes the model to a file, completely or not at all.
-    ///
-    /// # Errors
-    /// [`Io`](ErrorKind::Io).
-    pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
-        let path = c_path(path.as_ref())?;
-        // SAFETY: a live handle, and a string that lives through the call.
-        check(unsafe { sys::stltsa_model_save(self.raw(), path.as_ptr()) })
     }
 
     /// Reads a model from the bytes of [`Model::serialize`]; untrusted bytes are safe.
@@ -182,7 +133,8 @@ impl Model {
     pub fn parse(bytes: &[u8]) -> Result<Self> {
         let (data, size) = (bytes.as_ptr().cast(), bytes.len());
         // SAFETY: `size` bytes from `data` live through the call.
-        Self::made(|out| unsafe { sys::stltsa_model_parse(data, size, out) })
+        let parse = |out| unsafe { sys::stltsa_model_parse(data, size, out) };
+        Ok(Self { handle: Owned::make(parse)? })
     }
 
     /// The model as bytes: versioned, checksummed, the same on every machine.
@@ -200,109 +152,27 @@ impl Model {
         }
     }
 
-    /// Data, parameters and quality of the fit.
-    pub fn info(&self) -> &ModelInfo {
-        &self.info
-    }
-
-    /// The coordinates: frames x d, each column centered and of unit norm within a component.
-    ///
-    /// # Errors
-    /// [`NoMemory`](ErrorKind::NoMemory).
-    pub fn coords(&self) -> Result<Matrix> {
-        Matrix::filled(self.info.frames, self.info.dimension, |out| {
-            // SAFETY: a live handle, an array of the size it says.
-            unsafe { sys::stltsa_model_coords(self.raw(), out) }
-        })
+    /// The coordinates: rows x d, each column centered and of unit norm within a component.
+    pub fn coords(&self) -> Matrix {
+        self.info().matrix(Fact::Coords)
     }
 
     /// components x (d + 2): lambda_1 = 0, lambda_2, ... of each, ascending; NaN if a component is
     /// too small to have as many.
-    ///
-    /// # Errors
-    /// [`NoMemory`](ErrorKind::NoMemory).
-    pub fn eigenvalues(&self) -> Result<Matrix> {
-        Matrix::filled(self.info.components, self.info.dimension + 2, |out| {
-            // SAFETY: a live handle, an array of the size it says.
-            unsafe { sys::stltsa_model_eigenvalues(self.raw(), out) }
-        })
+    pub fn eigenvalues(&self) -> Matrix {
+        self.info().matrix(Fact::Eigenvalues)
     }
 
     /// Component of each row, counted from 0, numbered by first row.
-    ///
-    /// # Errors
-    /// [`NoMemory`](ErrorKind::NoMemory).
-    pub fn components(&self) -> Result<Vec<usize>> {
-        let mut labels = vec![0; self.info.frames];
-        let out = list_out(&mut labels)?;
-        // SAFETY: a live handle, an array of the size it says.
-        check(unsafe { sys::stltsa_model_components(self.raw(), &out) })?;
-        labels.into_iter().map(count).collect()
+    pub fn component_of(&self) -> Vec<usize> {
+        let components = self.info().column(Fact::ComponentOf).into_iter();
+        components.map(|component| component as usize).collect()
     }
 
-    /// Warnings: a coordinate that only follows time, disconnected graph, rank-deficient windows,
-    /// small gap.
-    pub fn warnings(&self) -> Vec<String> {
-        // SAFETY: a live handle, to which the texts belong until they are copied.
-        unsafe {
-            let count = sys::stltsa_model_warning_count(self.raw());
-            texts(count, |index| sys::stltsa_model_warning(self.raw(), index))
-        }
-    }
-
-    /// One JSON object (schema: stltsa-model/1).
-    ///
-    /// # Errors
-    /// [`NoMemory`](ErrorKind::NoMemory).
-    pub fn json(&self) -> Result<String> {
-        // SAFETY: a live handle.
-        owned_text(|out| unsafe { sys::stltsa_model_json(self.raw(), out) })
-    }
-
-    pub(crate) fn raw(&self) -> *const sys::stltsa_model {
-        self.handle.raw()
-    }
-
-    fn made(make: impl FnOnce(*mut *mut sys::stltsa_model) -> sys::stltsa_status) -> Result<Self> {
-        let handle = Owned::make(make)?;
-        let info = ModelInfo::of(&handle)?;
-        Ok(Self { handle, info })
-    }
-}
-
-impl ModelInfo {
-    fn of(model: &Owned<sys::stltsa_model>) -> Result<Self> {
-        // SAFETY: a live handle.
-        let facts = unsafe { Facts::new(sys::stltsa_model_info(model.raw())) };
-        let int = |key| count(facts.int(key, 0)?);
-        let real = |key| facts.real(key, 0);
-        let sum = |key| count(facts.ints(key)?.iter().sum());
-        let largest = |key| Ok::<_, Error>(facts.reals(key)?.into_iter().fold(0.0, f64::max));
-        let known = |key| Ok::<_, Error>(Some(real(key)?).filter(|value| *value != 0.0));
-        Ok(Self {
-            frames: int(Fact::Rows)?,
-            features: int(Fact::FeatureCount)?,
-            dimension: int(Fact::Dimension)?,
-            neighbors: int(Fact::Neighbors)?,
-            window: int(Fact::Window)?,
-            mode: Mode::from_raw(int(Fact::Mode)? as i32),
-            include_self: int(Fact::IncludeSelf)? != 0,
-            links: int(Fact::Links)?,
-            exclusion: int(Fact::Exclusion)?,
-            components: int(Fact::Components)?,
-            repeated: int(Fact::Repeated)?,
-            rank_deficient: sum(Fact::RankDeficient)?,
-            solves: sum(Fact::Solves)?,
-            first_frame: int(Fact::FirstFrame)?,
-            frame_step: int(Fact::FrameStep)?,
-            residual: largest(Fact::Residual)?,
-            error_estimate: largest(Fact::ErrorEstimate)?,
-            gap: facts.reals(Fact::Gap)?.into_iter().fold(f64::INFINITY, f64::min),
-            time_correlation: real(Fact::TimeCorrelation)?,
-            fps: known(Fact::Fps)?,
-            period: known(Fact::Period)?,
-            reach: known(Fact::Reach)?,
-        })
+    /// Connected components of the neighborhood graph; coordinates of different ones are not
+    /// comparable.
+    pub fn components(&self) -> Vec<Component> {
+        self.info().list(Fact::Component)
     }
 }
 

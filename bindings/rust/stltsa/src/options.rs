@@ -11,7 +11,7 @@ use std::sync::{Arc, Mutex};
 use stltsa_sys as sys;
 
 use crate::error::{c_path, check, text, Result};
-use crate::handle::Owned;
+use crate::handle::{Handle, Owned};
 use crate::kinds::{Axis, Features, Gaps, Mode, OptionKey, Stage};
 use crate::progress::{watched, Callback};
 
@@ -102,6 +102,14 @@ impl Options {
         self
     }
 
+    /// The handle that a call with these options makes.
+    pub(crate) fn make<T: Handle>(
+        &self,
+        make: impl FnOnce(*const sys::stltsa_options, *mut *mut T) -> sys::stltsa_status,
+    ) -> Result<Owned<T>> {
+        self.call(|options| Owned::make(|out| make(options, out)))
+    }
+
     /// Runs `body`, one call of the library, with these options in C's form.
     pub(crate) fn call<T>(
         &self,
@@ -177,9 +185,7 @@ pub struct OptionInfo {
 /// assert_eq!(links.standard, Some(4.0));
 /// ```
 pub fn options_table() -> Vec<OptionInfo> {
-    // SAFETY: it only counts.
-    let count = unsafe { sys::stltsa_option_count() };
-    (0..count).filter_map(describe).collect()
+    (0..).map_while(describe).collect()
 }
 
 fn describe(index: i64) -> Option<OptionInfo> {

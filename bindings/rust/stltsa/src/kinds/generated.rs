@@ -2,7 +2,7 @@
 // Made by scripts/generate-bindings: do not edit.
 kinds! {
     /// Parts that a build of the library may be without.
-    Component {
+    BuildPart {
         /// Modes spatial and recurrent use CHOLMOD; otherwise LDL, slower.
         Cholmod = STLTSA_HAS_CHOLMOD,
         /// BLAS is OpenBLAS, which a fit sets to one thread and restores.
@@ -99,6 +99,9 @@ kinds! {
         /// `int`: synthesize: 1: of a loop, the root's horizontal travel and its turn are removed,
         /// evenly over the frames, so that the loop ends where it starts; heights are kept.
         InPlace = STLTSA_OPT_IN_PLACE,
+        /// `int`: fits: 1: the intrinsic dimension is estimated, too: see STLTSA_INFO_LOCAL_PCA and
+        /// _EIGENGAP.
+        Intrinsic = STLTSA_OPT_INTRINSIC,
         /// `text`: which of several people or animals in a file is opened: the prefix of its
         /// points, "Viktor" of "Viktor:LHEE", or its name as an individual or a track; auto: the
         /// only one. They are never merged: if there are several and none is chosen, E_ARGUMENT,
@@ -221,12 +224,70 @@ kinds! {
         WindUp = STLTSA_UNIT_WIND_UP,
         /// Motion for which no cycles are reported.
         Action = STLTSA_UNIT_ACTION,
-        /// One cycle of the cyclic unit.
-        Cycle = STLTSA_UNIT_CYCLE,
         /// Keeping another posture than the one at rest.
         Hold = STLTSA_UNIT_HOLD,
     }
-    /// Facts by key, with their types; those with `[]` are lists.
+    /// What the statistics of a decomposition are about.
+    Quantity {
+        /// Length in seconds.
+        Time = STLTSA_QUANTITY_TIME,
+        /// These four: see stltsa_part.
+        PathLength = STLTSA_QUANTITY_PATH_LENGTH,
+        /// `STLTSA_QUANTITY_STRIDE`.
+        Stride = STLTSA_QUANTITY_STRIDE,
+        /// `STLTSA_QUANTITY_SPEED`.
+        Speed = STLTSA_QUANTITY_SPEED,
+        /// `STLTSA_QUANTITY_TURN`.
+        Turn = STLTSA_QUANTITY_TURN,
+    }
+    /// Kinds of warnings.
+    WarningKind {
+        /// Coordinate 1 only follows time.
+        FollowsTime = STLTSA_WARNING_FOLLOWS_TIME,
+        /// Windows vary in fewer than d directions.
+        RankDeficient = STLTSA_WARNING_RANK_DEFICIENT,
+        /// Another dimension is better defined.
+        SmallGap = STLTSA_WARNING_SMALL_GAP,
+        /// Rounding may rotate a direction: scale the features.
+        Unscaled = STLTSA_WARNING_UNSCALED,
+        /// Eigenvalues at the limit of double precision.
+        Inaccurate = STLTSA_WARNING_INACCURATE,
+        /// The neighborhood graph has several components.
+        Disconnected = STLTSA_WARNING_DISCONNECTED,
+        /// The pose jumps.
+        Jump = STLTSA_WARNING_JUMP,
+        /// A motion that was not searched for cycles.
+        SeparateMotion = STLTSA_WARNING_SEPARATE_MOTION,
+        /// Clips joined have slightly different skeletons.
+        OffsetsDiffer = STLTSA_WARNING_OFFSETS_DIFFER,
+        /// A clip was resampled to the first one's frame rate.
+        Resampled = STLTSA_WARNING_RESAMPLED,
+        /// Postures at a seam are far apart.
+        SeamPosture = STLTSA_WARNING_SEAM_POSTURE,
+        /// Unusually fast near a seam.
+        SeamSpeed = STLTSA_WARNING_SEAM_SPEED,
+        /// Unusual acceleration near a seam.
+        SeamAcceleration = STLTSA_WARNING_SEAM_ACCELERATION,
+        /// No frames beyond the cuts of a seam to blend.
+        NotBlended = STLTSA_WARNING_NOT_BLENDED,
+        /// Consecutive rows are no closer than random ones.
+        NoOrder = STLTSA_WARNING_NO_ORDER,
+        /// Phases that are linear in time, so what rests on them is less sure.
+        LinearPhase = STLTSA_WARNING_LINEAR_PHASE,
+        /// Marks at several places of the cycle.
+        SeveralPlaces = STLTSA_WARNING_SEVERAL_PLACES,
+        /// Repetitions without the event.
+        NotFound = STLTSA_WARNING_NOT_FOUND,
+        /// Too few cycles for intervals.
+        FewCycles = STLTSA_WARNING_FEW_CYCLES,
+        /// The motions seem to be different.
+        NotAlike = STLTSA_WARNING_NOT_ALIKE,
+        /// Another shift is nearly as good.
+        UncertainShift = STLTSA_WARNING_UNCERTAIN_SHIFT,
+        /// Bodies of different size or unit.
+        SizesDiffer = STLTSA_WARNING_SIZES_DIFFER,
+    }
+    /// What an object says, by key, with its type; `[]`: several values.
     Fact {
         /// `text[]`: path of the clip as given; empty: from memory.
         Path = STLTSA_INFO_PATH,
@@ -293,22 +354,18 @@ kinds! {
         /// `real`: distance from the fitted frames, in units of the features, up to which a new
         /// frame is like them; 0: the model cannot map.
         Reach = STLTSA_INFO_REACH,
-        /// `int[]`: distinct rows of each component of the neighborhood graph.
-        ComponentRows = STLTSA_INFO_COMPONENT_ROWS,
-        /// `int[]`: windows of fewer than d directions in each component.
-        RankDeficient = STLTSA_INFO_RANK_DEFICIENT,
-        /// `int[]`: applications of the inverse operator by ARPACK, for each component.
-        Solves = STLTSA_INFO_SOLVES,
-        /// `real[]`: largest ||B u - lambda u|| / k of each component.
-        Residual = STLTSA_INFO_RESIDUAL,
-        /// `real[]`: estimate of the largest principal angle to the exact embedding, in radians,
-        /// for each component.
-        ErrorEstimate = STLTSA_INFO_ERROR_ESTIMATE,
-        /// `real[]`: lambda_{d+2} / lambda_{d+1} of each component; near 1: the curve is
-        /// ill-defined.
-        Gap = STLTSA_INFO_GAP,
-        /// `int`: components of the neighborhood graph.
-        Components = STLTSA_INFO_COMPONENTS,
+        /// Rows stltsa_component: those of the neighborhood graph.
+        Component = STLTSA_INFO_COMPONENT,
+        /// `int`: 1: the model keeps a mean cycle, see stltsa_model_keep_cycle.
+        HasCycle = STLTSA_INFO_HAS_CYCLE,
+        /// Array rows x d: the coordinates; of a decomposition, rows x 2: the curve, and itself a
+        /// quarter of a cycle behind, the loop of Fig. 1.
+        Coords = STLTSA_INFO_COORDS,
+        /// Array components x (d + 2): lambda_1 = 0, lambda_2, ..., ascending; NaN if a component
+        /// is too small.
+        Eigenvalues = STLTSA_INFO_EIGENVALUES,
+        /// Array rows x 1: component of each row, numbered from 0 in the order of their first rows.
+        ComponentOf = STLTSA_INFO_COMPONENT_OF,
         /// `int`: 1-based coordinate of the fit whose margins count; 0: none.
         Coordinate = STLTSA_INFO_COORDINATE,
         /// `real`: how well that coordinate repeats once a period; 1: perfect.
@@ -319,11 +376,38 @@ kinds! {
         Best = STLTSA_INFO_BEST,
         /// `text`: why nothing repeats; empty if anything does.
         Reason = STLTSA_INFO_REASON,
-        /// `real[]`: eigenvalues, ascending, the zero one first: of B, and of B / k in a dimension.
+        /// `real[]`: eigenvalues of B, ascending, the zero one first; of a model, those of B / k
+        /// that the estimate of the dimension rests on.
         Eigenvalue = STLTSA_INFO_EIGENVALUE,
         /// `int[]`: frames of up to 24 distinct postures, for pictures; to draw n, take the first
         /// n.
         Postures = STLTSA_INFO_POSTURES,
+        /// Rows stltsa_segment, in temporal order; they cover [0, frames of the clip) without gap
+        /// or overlap.
+        Segment = STLTSA_INFO_SEGMENT,
+        /// Rows stltsa_unit; they cover the clip, too.
+        Unit = STLTSA_INFO_UNIT,
+        /// Rows stltsa_part, in temporal order.
+        Cycle = STLTSA_INFO_CYCLE,
+        /// Rows stltsa_part: halves of cycles; none unless both sides alternate.
+        Step = STLTSA_INFO_STEP,
+        /// Rows stltsa_part: single actions of segments of repetitions.
+        Repetition = STLTSA_INFO_REPETITION,
+        /// Rows stltsa_summary: one for each label that repeats.
+        Summary = STLTSA_INFO_SUMMARY,
+        /// `int[]`: STLTSA_SIDE_* that side 0 and side 1 of parts are; STLTSA_SIDE_NONE if no names
+        /// tell. Assumes right-handed axes.
+        Side = STLTSA_INFO_SIDE,
+        /// Array rows x 1: the smoothed coordinate whose margins count, 0 outside cyclic segments,
+        /// each of which has a coordinate of its own; of a denoising, rows x columns: the fitted
+        /// curve f_c.
+        Curve = STLTSA_INFO_CURVE,
+        /// Array labels x labels: how similar their segments are, 0 (different) to 1 (same): the
+        /// mean over pairs of segments, at most 24 of each label. It compares the postures, the
+        /// speeds, and which parts of the body move together; moderate differences in size and
+        /// tempo change it little. From about 0.65 on, segments share a label, except repetitions,
+        /// which are grouped by their course. NaN for a label of one segment with itself.
+        LabelLikeness = STLTSA_INFO_LABEL_LIKENESS,
         /// `int`: intrinsic dimension by local PCA; 0: cannot tell.
         LocalPca = STLTSA_INFO_LOCAL_PCA,
         /// `int`: intrinsic dimension by the eigengap; 0: cannot tell.
@@ -339,16 +423,12 @@ kinds! {
         /// `real[]`: mean share of a neighborhood's variance along each of its principal
         /// directions.
         LocalVariance = STLTSA_INFO_LOCAL_VARIANCE,
-        /// `real[]`: threshold used in each column.
-        Gamma = STLTSA_INFO_GAMMA,
-        /// `real[]`: d_t: mean distance of the points beyond gamma in each column.
-        Shift = STLTSA_INFO_SHIFT,
-        /// `real[]`: robust standard deviation of the residuals of each column.
-        Noise = STLTSA_INFO_NOISE,
-        /// `real[]`: effective degrees of freedom of the curve of each column.
-        DegreesOfFreedom = STLTSA_INFO_DEGREES_OF_FREEDOM,
-        /// `int[]`: points that were moved in each column.
-        Moved = STLTSA_INFO_MOVED,
+        /// Rows stltsa_denoised_column: one for each column.
+        Column = STLTSA_INFO_COLUMN,
+        /// Array rows x columns: the points after equation (1).
+        Cleaned = STLTSA_INFO_CLEANED,
+        /// Array rows x columns: displacement of each point; 0: not moved.
+        Moves = STLTSA_INFO_MOVES,
         /// `real`: option gamma; none: chosen for each column.
         GammaOption = STLTSA_INFO_GAMMA_OPTION,
         /// `real`: rows between the knots of the curve.
@@ -359,10 +439,6 @@ kinds! {
         FitPeriodMin = STLTSA_INFO_FIT_PERIOD_MIN,
         /// `real`: period_max of that model; 0: none.
         FitPeriodMax = STLTSA_INFO_FIT_PERIOD_MAX,
-        /// `int`: columns of the coordinates.
-        Columns = STLTSA_INFO_COLUMNS,
-        /// `real[]`: noise of each column as a share of its curve's range.
-        NoiseShare = STLTSA_INFO_NOISE_SHARE,
         /// `int`: 1: the noise of every column is below 0.5 % of its range, which cannot be seen in
         /// a figure.
         NothingToClean = STLTSA_INFO_NOTHING_TO_CLEAN,
@@ -372,14 +448,10 @@ kinds! {
         CutRange = STLTSA_INFO_CUT_RANGE,
         /// `real`: option posture_limit; 0: none.
         PostureLimit = STLTSA_INFO_POSTURE_LIMIT,
-        /// `text[]`: path of the clip of each piece; empty: from memory.
-        PiecePath = STLTSA_INFO_PIECE_PATH,
-        /// `int[]`: first frame of each piece.
-        PieceBegin = STLTSA_INFO_PIECE_BEGIN,
-        /// `int[]`: frame after the last of each piece.
-        PieceEnd = STLTSA_INFO_PIECE_END,
-        /// `int[]`: how often each piece is played.
-        PieceRepeat = STLTSA_INFO_PIECE_REPEAT,
+        /// Rows stltsa_piece_fact: what was joined.
+        Piece = STLTSA_INFO_PIECE,
+        /// Rows stltsa_seam, in temporal order.
+        Seam = STLTSA_INFO_SEAM,
         /// `int`: 1: a loop; only loops have the next six facts.
         Loop = STLTSA_INFO_LOOP,
         /// `int`: option in_place.
@@ -397,19 +469,79 @@ kinds! {
         LoopCycles = STLTSA_INFO_LOOP_CYCLES,
         /// `int`: cycles of the clip, if chosen among them.
         SourceCycles = STLTSA_INFO_SOURCE_CYCLES,
-        /// `text[]`: what a user should know about the result.
+        /// Rows stltsa_warning: what a user should know about the result.
         Warning = STLTSA_INFO_WARNING,
-        /// `int[]`: STLTSA_WARNING_* of each warning.
-        WarningCode = STLTSA_INFO_WARNING_CODE,
-        /// `real[]`: seconds in the clip at which each warning applies; NaN: it has no time.
-        WarningBegin = STLTSA_INFO_WARNING_BEGIN,
-        /// `real[]`: end of that time; the begin for a moment.
-        WarningEnd = STLTSA_INFO_WARNING_END,
         /// `text`: unit of lengths, such as mm; empty: unknown.
-        Unit = STLTSA_INFO_UNIT,
+        LengthUnit = STLTSA_INFO_LENGTH_UNIT,
         /// `int`: axis that points up: 1, 2, 3 for x, y, z (TRC: y, by convention); 0: the file
         /// does not say.
         FileUpAxis = STLTSA_INFO_FILE_UP_AXIS,
+        /// Rows stltsa_joint, parents first; none without a skeleton.
+        Joint = STLTSA_INFO_JOINT,
+        /// Rows stltsa_file_event, in order of time.
+        FileEvent = STLTSA_INFO_FILE_EVENT,
+        /// `int`: channels, columns or coordinates of each frame.
+        Channels = STLTSA_INFO_CHANNELS,
+        /// Array frames x (3 * joints): world positions by forward kinematics; none without a
+        /// skeleton.
+        Positions = STLTSA_INFO_POSITIONS,
+        /// Array frames x (4 * joints): local rotations w x y z, with signs continuous over time;
+        /// none without a skeleton.
+        Rotations = STLTSA_INFO_ROTATIONS,
+        /// Array frames x 1, of each frame of the file, in [0, 1); NaN outside cycles.
+        Phase = STLTSA_INFO_PHASE,
+        /// Array frames x 1: distance from the mean cycle in pose and velocity, as a share of the
+        /// root mean square deviation of the motion; NaN outside cycles.
+        PhaseResidual = STLTSA_INFO_PHASE_RESIDUAL,
+        /// Array frames x 1: index of the cycle; -1 outside cycles.
+        PhaseCycle = STLTSA_INFO_PHASE_CYCLE,
+        /// `real[]`: of each label, the phase, in [0, 1), at which the body is at the same place in
+        /// every clip and person with the same features, wherever their cycles begin: where the
+        /// legs pass each other, if the two sides of the body are known and swing; 0: a label with
+        /// repetitions only; NaN: one with neither.
+        PhaseZero = STLTSA_INFO_PHASE_ZERO,
+        /// `text[]`: the joint, or the point or column of the file, that each column of the
+        /// features belongs to: makes the groups of stltsa_cycles_group_distance.
+        Owner = STLTSA_INFO_OWNER,
+        /// Array[] samples x columns: each cycle.
+        Values = STLTSA_INFO_VALUES,
+        /// Array[] samples x columns: mean over the cycles; of a comparison, of the first and the
+        /// second motion, at phases of the first.
+        Mean = STLTSA_INFO_MEAN,
+        /// Array[] the same: standard deviation; of a single cycle, NaN.
+        Deviation = STLTSA_INFO_DEVIATION,
+        /// Array cycles x samples: the frame of each sample, not rounded.
+        SampleFrames = STLTSA_INFO_SAMPLE_FRAMES,
+        /// Array cycles x samples: how much later than in linear time, as a share of the cycle.
+        Warp = STLTSA_INFO_WARP,
+        /// Array cycles x 1: distance of each cycle from the mean, root mean square over samples
+        /// and columns, as a share of the root of the variance along the mean cycle.
+        Distance = STLTSA_INFO_DISTANCE,
+        /// Array cycles x columns: root mean square over the samples, in the unit of the signal.
+        ColumnDistance = STLTSA_INFO_COLUMN_DISTANCE,
+        /// Rows stltsa_event, in order of time.
+        Event = STLTSA_INFO_EVENT,
+        /// `real`: correlation of the mean cycles of the two clips; 1 within a clip. Events of
+        /// another person are to be trusted less below 0.95; below 0.6 it is another motion, and
+        /// there are none.
+        Likeness = STLTSA_INFO_LIKENESS,
+        /// Rows stltsa_compared: one, about the whole.
+        Comparison = STLTSA_INFO_COMPARISON,
+        /// Rows stltsa_compared_motion: the first, the second.
+        Motion = STLTSA_INFO_MOTION,
+        /// Rows stltsa_compared_part: joints, points or columns, in the order of the first clip.
+        Part = STLTSA_INFO_PART,
+        /// Rows stltsa_compared_part: the coordinates of the parts, part by part.
+        PartChannel = STLTSA_INFO_PART_CHANNEL,
+        /// Array samples x channels: second minus first.
+        Difference = STLTSA_INFO_DIFFERENCE,
+        /// Array samples x channels: its standard error.
+        StandardError = STLTSA_INFO_STANDARD_ERROR,
+        /// Array samples x channels: half the width of its 95 % interval, which holds for one
+        /// sample: of 100 samples without a difference, about five exclude 0 by chance.
+        Margin = STLTSA_INFO_MARGIN,
+        /// `text[]`: marks of the model, in the order in which they were kept.
+        Mark = STLTSA_INFO_MARK,
     }
     /// Kinds of failure. Each function lists those that it can return.
     ErrorKind {

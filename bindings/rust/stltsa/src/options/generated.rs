@@ -123,6 +123,12 @@ impl Options {
         self.with(sys::STLTSA_OPT_VARIANCE, Value::Real(value))
     }
 
+    /// Estimate the intrinsic dimension, too, by the eigengap and by local PCA.
+    #[must_use]
+    pub fn intrinsic(self, value: bool) -> Self {
+        self.with(sys::STLTSA_OPT_INTRINSIC, Value::Int(value.into()))
+    }
+
     /// The ASF file of an AMC clip; auto: found beside the clip.
     #[must_use]
     pub fn skeleton(self, value: impl AsRef<Path>) -> Self {
