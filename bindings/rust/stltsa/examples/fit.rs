@@ -6,7 +6,7 @@
 
 use std::ops::ControlFlow::{Break, Continue};
 
-use stltsa::{ErrorKind, Model, Options};
+use stltsa::{ErrorKind, Fact, Model, Options};
 
 const PERIOD: usize = 100;
 
@@ -21,8 +21,8 @@ fn main() -> Result<(), stltsa::Error> {
     let options = Options::new().dimension(2).neighbors(PERIOD * 6 / 5);
     let model = Model::fit(&frames, &options)?;
 
-    let (info, coords) = (model.info(), model.coords()?);
-    println!("{} frames, {} neighbors", info.frames, info.neighbors);
+    let coords = model.coords();
+    println!("{} frames, {} neighbors", coords.rows(), model.info().int(Fact::Neighbors)?);
     for t in (0..frames.len()).step_by(PERIOD / 4) {
         println!("frame {t:3}  {:8.5}  {:8.5}", coords[(t, 0)], coords[(t, 1)]);
     }

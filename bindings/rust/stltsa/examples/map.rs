@@ -3,7 +3,7 @@
 //!
 //!     cargo run --example map -- walk.bvh other.bvh poses.bvh
 
-use stltsa::{Clip, Model, Options};
+use stltsa::{Clip, Fact, Model, Options};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let arguments: Vec<_> = std::env::args_os().skip(1).collect();
@@ -15,7 +15,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     // Three coordinates distinguish the forward from the backward swing; one cannot.
     let model = Model::fit_clip(&Clip::open(learned)?, &Options::new().dimension(3))?;
-    println!("{} frames learned, {} neighbors", model.info().frames, model.info().neighbors);
+    let (rows, neighbors) = (model.info().int(Fact::Rows)?, model.info().int(Fact::Neighbors)?);
+    println!("{rows} frames learned, {neighbors} neighbors");
 
     // Frames with a distance above 1 are unlike the fitted ones.
     let clip = Clip::open(other)?;
@@ -25,7 +26,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     // One point for each frame of the clip; the model has fewer rows per second.
     let timing = Options::new().fps(clip.fps().unwrap_or_default());
-    let made = model.unmap_clip(&mapped.coords, &timing)?;
+    let made = model.unmap_clip(&mapped.coords, None, &timing)?;
     made.clip.save(poses)?;
     println!("{} poses written", made.clip.frames());
     Ok(())

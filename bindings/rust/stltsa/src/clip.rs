@@ -287,7 +287,7 @@ impl Clip {
 
     /// Source format of the clip.
     pub fn format(&self) -> Format {
-        Format::from_raw(self.info().int(Fact::Format).expect("a clip has a format"))
+        self.info().int(Fact::Format).expect("a clip has a format").into()
     }
 
     /// Joints and end sites in file order, parents first; empty for plain numbers.

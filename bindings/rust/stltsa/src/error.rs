@@ -60,7 +60,7 @@ pub(crate) fn check(status: sys::stltsa_status) -> Result<()> {
     }
     // SAFETY: never NULL, and valid until the next failure on this thread; copied at once.
     let message = unsafe { text(sys::stltsa_last_error()) };
-    Err(Error::new(ErrorKind::from_raw(status), message))
+    Err(Error::new(ErrorKind::from(i64::from(status)), message))
 }
 
 /// A copy of a text of the library; bytes that are not UTF-8 (names from files) are replaced. NULL,

@@ -16,16 +16,18 @@ macro_rules! kinds {
             Other(i32),
         }
 
-        impl $name {
-            #[allow(dead_code)] // some are only arguments, some only results
-            pub(crate) fn from_raw(value: impl TryInto<i32>) -> Self {
-                match value.try_into().unwrap_or(i32::MAX) {
+        impl From<i64> for $name {
+            /// The kind of a number of the library, such as [`Info::int`](crate::Info::int) gives.
+            fn from(value: i64) -> Self {
+                match i32::try_from(value).unwrap_or(i32::MAX) {
                     $(stltsa_sys::$value => Self::$variant,)*
                     other => Self::Other(other),
                 }
             }
+        }
 
-            #[allow(dead_code)]
+        impl $name {
+            #[allow(dead_code)] // some are only results
             pub(crate) fn raw(self) -> i32 {
                 match self {
                     $(Self::$variant => stltsa_sys::$value,)*

@@ -83,7 +83,7 @@ pub use kinds::{
     UnitKind, WarningKind,
 };
 pub use live::{Live, LiveFrame};
-pub use mapping::{Mapped, Poses, Unmapped};
+pub use mapping::{Hints, Mapped, Poses, Unmapped};
 pub use model::Model;
 pub use options::{options_table, OptionInfo, Options};
 pub use phase::{Cycles, Phase};

@@ -212,7 +212,7 @@ impl Live {
             distance: raw.distance,
             confidence: raw.confidence,
             known: raw.known == 1,
-            kind: SegmentKind::from_raw(raw.kind),
+            kind: i64::from(raw.kind).into(),
             passed: raw.passed,
         })
     }

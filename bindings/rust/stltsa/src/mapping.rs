@@ -49,8 +49,11 @@ pub struct Poses {
 /// What every mapping gives for its rows: numbers, distance, nearest.
 type Rows = (Matrix, Vec<f64>, Vec<usize>);
 
+/// For each row the model row near which it is searched, or `None` for everywhere.
+pub type Hints<'a> = &'a [Option<usize>];
+
 /// Hints as C expects them: a row number for each row, -1 for everywhere.
-fn c_hints(hints: Option<&[Option<usize>]>, rows: usize) -> Result<Option<Vec<i64>>> {
+fn c_hints(hints: Option<Hints<'_>>, rows: usize) -> Result<Option<Vec<i64>>> {
     let of_row = |hint: &Option<usize>| hint.map_or(Ok(-1), c_count);
     match hints {
         Some(hints) if hints.len() != rows => Err(Error::new(
@@ -87,62 +90,25 @@ fn filled(
 impl Model {
     /// Maps new frames, rows x features of the model, onto the curve. A fitted frame gets its own
     /// coordinates, to the bit. If equal frames occur more than once, they get the coordinates of
-    /// the first, unless a hint selects another ([`Model::map_near`]). Options used: map_neighbors,
-    /// map_blend, threads, progress.
+    /// the first, unless a hint selects another: each row is searched near its hint (within option
+    /// hint_window of the same clip). For a stream, pass the nearest row of the previous frame and a
+    /// small hint_window, so that time never runs back. Options used: map_neighbors, map_blend,
+    /// hint_window, threads, progress.
     ///
     /// # Errors
-    /// [`Shape`](ErrorKind::Shape), [`NotFinite`](ErrorKind::NotFinite),
-    /// [`Argument`](ErrorKind::Argument), [`Unsupported`](ErrorKind::Unsupported) (the model kept no
-    /// frames), [`Cancelled`](ErrorKind::Cancelled).
-    pub fn map<'a>(&self, frames: impl Into<View<'a>>, options: &Options) -> Result<Mapped> {
-        self.map_rows(frames.into(), None, options)
-    }
-
-    /// The same, searching for each row near a model row (within option hint_window of the same
-    /// clip), or everywhere for `None`. For a stream, pass the nearest row of the previous frame
-    /// and a small hint_window, so that time never runs back.
-    ///
-    /// # Errors
-    /// As [`Model::map`]; [`Shape`](ErrorKind::Shape) unless there is one hint per row.
-    pub fn map_near<'a>(
+    /// [`Shape`](ErrorKind::Shape) (also unless there is one hint per row),
+    /// [`NotFinite`](ErrorKind::NotFinite), [`Argument`](ErrorKind::Argument),
+    /// [`Unsupported`](ErrorKind::Unsupported) (the model kept no frames),
+    /// [`Cancelled`](ErrorKind::Cancelled).
+    pub fn map<'a>(
         &self,
         frames: impl Into<View<'a>>,
-        hints: &[Option<usize>],
-        options: &Options,
-    ) -> Result<Mapped> {
-        self.map_rows(frames.into(), Some(hints), options)
-    }
-
-    fn map_rows(
-        &self,
-        frames: View<'_>,
-        hints: Option<&[Option<usize>]>,
+        hints: Option<Hints<'_>>,
         options: &Options,
     ) -> Result<Mapped> {
         let (coords, distance, nearest) =
-            self.rows(sys::stltsa_map, Fact::Dimension, frames, hints, options)?;
+            self.rows(sys::stltsa_map, Fact::Dimension, frames.into(), hints, options)?;
         Ok(Mapped { coords, distance, nearest })
-    }
-
-    /// `columns`: the number of columns that the map makes.
-    fn rows(
-        &self,
-        map: Map,
-        columns: Fact,
-        rows: View<'_>,
-        hints: Option<&[Option<usize>]>,
-        options: &Options,
-    ) -> Result<Rows> {
-        let (raw, hints) = (rows.raw()?, c_hints(hints, rows.rows())?);
-        let hints = hints.as_deref().map(list_in).transpose()?;
-        let shape = (rows.rows(), count(self.info().int(columns)?));
-        filled(shape, |numbers, distance, nearest| {
-            options.call(|options| {
-                let hints = hints.as_ref().map_or(std::ptr::null(), |hints| hints);
-                // SAFETY: live handles, and arrays of as many rows as `raw` says.
-                check(unsafe { map(self.raw(), &raw, hints, options, numbers, distance, nearest) })
-            })
-        })
     }
 
     /// Maps every frame of a clip onto the curve of a model that was fitted to a clip, with the
@@ -157,50 +123,31 @@ impl Model {
         let (coords, distance, nearest) = filled(shape, |coords, distance, nearest| {
             options.call(|options| {
                 // SAFETY: live handles, and arrays of as many rows as the clip has frames.
-                let map = unsafe {
+                check(unsafe {
                     sys::stltsa_map_clip(model, clip, options, coords, distance, nearest)
-                };
-                check(map)
+                })
             })
         })?;
         Ok(Mapped { coords, distance, nearest })
     }
 
-    /// Maps coordinates, rows x d, back to frames.
+    /// Maps coordinates, rows x d, back to frames; hints as in [`Model::map`].
     ///
-    /// One coordinate cannot distinguish the forward from the backward swing: pass hints
-    /// ([`Model::unmap_near`]), or fit more dimensions. For a model of a clip with a skeleton,
-    /// frames are the features of the poses of [`Model::unmap_clip`]. Options used: map_neighbors,
-    /// map_blend, component, threads, progress.
+    /// One coordinate cannot distinguish the forward from the backward swing: pass hints, or fit
+    /// more dimensions. For a model of a clip with a skeleton, frames are the features of the poses
+    /// of [`Model::unmap_clip`]. Options used: as [`Model::map`], and component.
     ///
     /// # Errors
     /// As [`Model::map`]; [`Disconnected`](ErrorKind::Disconnected): the model has several
     /// components, and the option component is missing.
-    pub fn unmap<'a>(&self, coords: impl Into<View<'a>>, options: &Options) -> Result<Unmapped> {
-        self.unmap_rows(coords.into(), None, options)
-    }
-
-    /// The same, searching for each point near a model row; hints as in [`Model::map_near`].
-    ///
-    /// # Errors
-    /// As [`Model::unmap`]; [`Shape`](ErrorKind::Shape) unless there is one hint per row.
-    pub fn unmap_near<'a>(
+    pub fn unmap<'a>(
         &self,
         coords: impl Into<View<'a>>,
-        hints: &[Option<usize>],
-        options: &Options,
-    ) -> Result<Unmapped> {
-        self.unmap_rows(coords.into(), Some(hints), options)
-    }
-
-    fn unmap_rows(
-        &self,
-        coords: View<'_>,
-        hints: Option<&[Option<usize>]>,
+        hints: Option<Hints<'_>>,
         options: &Options,
     ) -> Result<Unmapped> {
         let (frames, distance, nearest) =
-            self.rows(sys::stltsa_unmap, Fact::FeatureCount, coords, hints, options)?;
+            self.rows(sys::stltsa_unmap, Fact::FeatureCount, coords.into(), hints, options)?;
         Ok(Unmapped { frames, distance, nearest })
     }
 
@@ -211,35 +158,19 @@ impl Model {
     ///
     /// # Errors
     /// As [`Model::unmap`]; [`Unsupported`](ErrorKind::Unsupported) for a model of plain numbers.
-    pub fn unmap_clip<'a>(&self, coords: impl Into<View<'a>>, options: &Options) -> Result<Poses> {
-        self.unmap_poses(coords.into(), None, options)
-    }
-
-    /// The same, searching for each point near a model row; hints as in [`Model::map_near`].
-    ///
-    /// # Errors
-    /// As [`Model::unmap_clip`]; [`Shape`](ErrorKind::Shape) unless there is one hint per row.
-    pub fn unmap_clip_near<'a>(
+    pub fn unmap_clip<'a>(
         &self,
         coords: impl Into<View<'a>>,
-        hints: &[Option<usize>],
+        hints: Option<Hints<'_>>,
         options: &Options,
     ) -> Result<Poses> {
-        self.unmap_poses(coords.into(), Some(hints), options)
-    }
-
-    fn unmap_poses(
-        &self,
-        coords: View<'_>,
-        hints: Option<&[Option<usize>]>,
-        options: &Options,
-    ) -> Result<Poses> {
+        let coords = coords.into();
         let (raw, hints) = (coords.raw()?, c_hints(hints, coords.rows())?);
         let hints = hints.as_deref().map(list_in).transpose()?;
+        let hints = hints.as_ref().map_or(std::ptr::null(), |hints| hints);
         let mut made = None;
         let (_, distance, nearest) = filled((coords.rows(), 0), |_, distance, nearest| {
             made = Some(options.make(|options, out| {
-                let hints = hints.as_ref().map_or(std::ptr::null(), |hints| hints);
                 // SAFETY: live handles, and arrays of as many rows as `raw` says.
                 unsafe {
                     sys::stltsa_unmap_clip(self.raw(), &raw, hints, options, distance, nearest, out)
@@ -249,5 +180,26 @@ impl Model {
         })?;
         let handle = made.expect("it was filled");
         Ok(Poses { clip: Clip { handle }, distance, nearest })
+    }
+
+    /// `columns`: the number of columns that the map makes.
+    fn rows(
+        &self,
+        map: Map,
+        columns: Fact,
+        rows: View<'_>,
+        hints: Option<Hints<'_>>,
+        options: &Options,
+    ) -> Result<Rows> {
+        let (raw, hints) = (rows.raw()?, c_hints(hints, rows.rows())?);
+        let hints = hints.as_deref().map(list_in).transpose()?;
+        let hints = hints.as_ref().map_or(std::ptr::null(), |hints| hints);
+        let shape = (rows.rows(), count(self.info().int(columns)?));
+        filled(shape, |numbers, distance, nearest| {
+            options.call(|options| {
+                // SAFETY: live handles, and arrays of as many rows as `raw` says.
+                check(unsafe { map(self.raw(), &raw, hints, options, numbers, distance, nearest) })
+            })
+        })
     }
 }

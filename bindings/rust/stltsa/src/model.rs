@@ -30,7 +30,7 @@ use crate::rows::Component;
 /// assert!(model.components()[0].residual < 1e-9);
 ///
 /// // A fitted frame gets its own coordinates, to the bit.
-/// let mapped = model.map(&frames[..10], &Options::new())?;
+/// let mapped = model.map(&frames[..10], None, &Options::new())?;
 /// assert_eq!(mapped.coords.row(3), coords.row(3));
 /// # Ok::<(), stltsa::Error>(())
 /// ```

@@ -45,7 +45,7 @@ impl Watch<'_> {
 unsafe extern "C" fn report(user: *mut c_void, stage: i32, fraction: f64) -> i32 {
     // SAFETY: `watched` gives the address of its `Watch`, and the library calls on its thread.
     let watch = unsafe { &mut *user.cast::<Watch<'_>>() };
-    i32::from(watch.report(Stage::from_raw(stage), fraction).is_break())
+    i32::from(watch.report(Stage::from(i64::from(stage)), fraction).is_break())
 }
 
 /// Runs `body`, one call of the library with `options`, and reports it to `callback`. A panic of

@@ -30,6 +30,7 @@ macro_rules! rows {
         $($(#[$what:meta])* $member:ident: $type:ty = $convert:path,)*
     })*) => {$(
         $(#[$text])*
+        #[allow(clippy::derive_partial_eq_without_eq)] // a real number may be added
         #[derive(Clone, Debug, PartialEq)]
         pub struct $name {
             $($(#[$what])* pub $member: $type,)*
@@ -106,4 +107,19 @@ unsafe fn texts(raw: *const *const c_char) -> Vec<String> {
     // SAFETY: as the caller promises.
     let at = |index| unsafe { nullable(*raw.add(index)) };
     (0..).take_while(|_| !raw.is_null()).map_while(at).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An older library does not write the members that it does not know.
+    #[test]
+    fn texts_that_are_not_there_are_empty() {
+        // SAFETY: NULL is allowed.
+        unsafe {
+            assert_eq!((text(std::ptr::null()), nullable(std::ptr::null())), (String::new(), None));
+            assert_eq!((filled(std::ptr::null()), texts(std::ptr::null())), (None, vec![]));
+        }
+    }
 }

@@ -4,7 +4,7 @@
 mod common;
 
 use common::{circle, circle_model, circle_options};
-use stltsa::{has, Clip, Component, Denoising, ErrorKind, Mode, Model, Options};
+use stltsa::{has, BuildPart, Clip, Denoising, ErrorKind, Fact, Mode, Model, Options};
 
 #[test]
 fn the_words_are_the_librarys() {
@@ -30,7 +30,7 @@ fn each_kind_is_told_from_the_others() {
     assert_eq!(fit(&circle()[..20]), ErrorKind::TooFewFrames);
     assert_eq!(fit(&[[1.0; 4]; 200]), ErrorKind::Degenerate);
     assert_eq!(kind(Model::parse(b"not a model")), ErrorKind::Format);
-    assert_eq!(kind(Model::load("no/such/model")), ErrorKind::Io);
+    assert_eq!(kind(Model::load("no/such/model", &Options::new())), ErrorKind::Io);
     let several = |lengths: &[usize]| Model::fit_several(&circle(), lengths, &circle_options());
     for lengths in [&[150, 149][..], &[300, 1], &[], &[usize::MAX, 301]] {
         assert_eq!(kind(several(lengths)), ErrorKind::Shape);
@@ -42,10 +42,10 @@ fn each_kind_is_told_from_the_others() {
 #[test]
 fn a_model_without_frames_cannot_map() {
     let model = Model::fit(&circle(), &circle_options().keep_frames(false)).unwrap();
-    assert_eq!(model.info().reach, None);
-    let error = model.map(&circle(), &Options::new()).unwrap_err();
+    assert_eq!(model.info().real(Fact::Reach), Ok(0.0));
+    let error = model.map(&circle(), None, &Options::new()).unwrap_err();
     assert_eq!(error.kind(), ErrorKind::Unsupported);
-    let poses = circle_model().unmap_clip(&[[0.0, 0.0]], &Options::new()).unwrap_err();
+    let poses = circle_model().unmap_clip(&[[0.0, 0.0]], None, &Options::new()).unwrap_err();
     assert_eq!(poses.kind(), ErrorKind::Unsupported);
 }
 
@@ -53,11 +53,11 @@ fn a_model_without_frames_cannot_map() {
 fn there_is_a_hint_for_each_row() {
     let (model, frames) = (circle_model(), circle());
     for hints in [vec![None; 299], vec![None; 301], vec![]] {
-        let error = model.map_near(&frames, &hints, &Options::new()).unwrap_err();
+        let error = model.map(&frames, Some(&hints), &Options::new()).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::Shape);
     }
     let hints = vec![Some(300); 300];
-    let error = model.map_near(&frames, &hints, &Options::new()).unwrap_err();
+    let error = model.map(&frames, Some(&hints), &Options::new()).unwrap_err();
     assert_eq!(error.kind(), ErrorKind::Argument);
 }
 
@@ -81,5 +81,5 @@ fn each_thread_has_its_own_words() {
 #[test]
 fn every_build_has_all_modes() {
     Model::fit(&circle(), &circle_options().mode(Mode::Spatial)).unwrap();
-    assert!(!has(Component::Other(12345)));
+    assert!(!has(BuildPart::Other(12345)));
 }

@@ -12,35 +12,35 @@ fn frames_of_cycles_have_phases() {
     let options = Options::new();
     let found = clip.decompose(&options).unwrap();
     let phase = Phase::find(&found, &options).unwrap();
-    let (values, cycles) = (phase.values().unwrap(), phase.cycles().unwrap());
-    let residuals = phase.residuals().unwrap();
+    let (values, cycles, parts) = (phase.values(), phase.cycles(), found.cycles());
+    let residuals = phase.residuals();
     assert_eq!(values.len(), clip.frames());
     for (frame, cycle) in cycles.iter().enumerate() {
-        let part = cycle.map(|index| found.cycles()[index]);
+        let part = cycle.map(|index| &parts[index]);
         assert_eq!(part.is_some(), !values[frame].is_nan());
         assert!(part.map_or(true, |part| part.frames().contains(&frame)));
         assert!(values[frame].is_nan() || residuals[frame] < 0.5);
     }
     assert!(phase.warnings().is_empty());
-    assert!((0.0..1.0).contains(&phase.zero(0).unwrap()));
-    assert_eq!(phase.zero(9).unwrap_err().kind(), ErrorKind::Argument);
+    assert!(matches!(phase.zeros()[..], [zero] if (0.0..1.0).contains(&zero)));
+    assert_eq!(phase.json().unwrap_err().kind(), ErrorKind::Unsupported);
 
     let ramp: Vec<[f64; 1]> = (0..clip.frames()).map(|frame| [frame as f64]).collect();
-    let cycles = phase.resample(0, &ramp, 11).unwrap();
+    let cycles = phase.resample(0, &ramp, 11, &options).unwrap();
     assert_eq!(cycles.len(), found.cycles().len());
-    let (frames, first) = (cycles.frames().unwrap(), cycles.cycle(1).unwrap());
+    let (frames, first) = (cycles.frames(), cycles.cycle(1).unwrap());
     assert!((0..11).all(|s| (frames[(1, s)] - first[(s, 0)]).abs() < 1e-9));
-    assert!(cycles.mean().unwrap()[(5, 0)] > first[(0, 0)]);
-    assert!(cycles.deviation().unwrap()[(5, 0)] > 0.0);
-    assert!(cycles.warp().unwrap()[(1, 5)].abs() < 0.1);
-    assert_eq!(cycles.distance().unwrap().len(), cycles.len());
-    let of_column = cycles.column_distance().unwrap();
+    assert!(cycles.mean()[(5, 0)] > first[(0, 0)]);
+    assert!(cycles.deviation()[(5, 0)] > 0.0);
+    assert!(cycles.warp()[(1, 5)].abs() < 0.1);
+    assert_eq!(cycles.distance().len(), cycles.len());
+    let of_column = cycles.column_distance();
     assert_eq!(of_column.cols(), 1);
     let of_group = cycles.group_distance(&[Some(0)]).unwrap();
     assert_eq!(of_group[(1, 0)], of_column[(1, 0)]);
     assert_eq!(cycles.group_distance(&[None]).unwrap_err().kind(), ErrorKind::Argument);
     assert!(phase.column_owners().len() > 9);
-    let error = phase.resample(7, &ramp, 11).unwrap_err();
+    let error = phase.resample(7, &ramp, 11, &options).unwrap_err();
     assert_eq!(error.kind(), ErrorKind::Argument);
 }
 
@@ -52,35 +52,42 @@ fn motions_are_compared() {
     let phase =
         |clip: &stltsa::Clip| Phase::find(&clip.decompose(&options).unwrap(), &options).unwrap();
     let (whole, part) = (phase(&clip), phase(&clip.stretch("200-", &options).unwrap()));
-    let found = whole.compare(&part, Some(0), None, 51).unwrap();
-    assert!(found.likeness > 0.99 && found.shift.abs() < 0.02);
-    assert_eq!(found.channels.len(), 3 * found.parts.len());
-    assert_eq!(found.channels[1].axis, "y");
-    assert_eq!((found.margin.rows(), found.margin.cols()), (51, found.channels.len()));
-    assert_eq!(found.difference[(7, 4)], found.mean[1][(7, 4)] - found.mean[0][(7, 4)]);
-    assert!(found.left_out[0].is_empty() && !found.sides);
-    assert!(found.json.starts_with("{\"format\":\"stltsa-comparison/1\""));
+    let found = whole.compare(&part, Some(0), None, 51, &options).unwrap();
+    let about = found.whole();
+    assert!(about.likeness > 0.99 && about.shift.abs() < 0.02);
+    let (parts, channels) = (found.parts(), found.channels());
+    assert_eq!(channels.len(), 3 * parts.len());
+    assert_eq!((channels[1].axis.as_deref(), parts[1].axis.as_deref()), (Some("y"), None));
+    let margin = found.margin();
+    assert_eq!((margin.rows(), margin.cols()), (51, channels.len()));
+    let mean = |which| found.mean(which).unwrap()[(7, 4)];
+    assert_eq!(found.difference()[(7, 4)], mean(1) - mean(0));
+    assert_eq!(found.mean(2).unwrap_err().kind(), ErrorKind::Argument);
+    assert!(found.motions()[0].left_out.is_empty() && !about.sides);
+    assert!(found.json().unwrap().starts_with("{\"format\":\"stltsa-comparison/1\""));
 
     let path = std::env::temp_dir().join(format!("stltsa-compare-{}.html", std::process::id()));
-    found.report(&path, Some("a </script> command")).unwrap();
+    found.report(&path, Some("a </script> command"), &options).unwrap();
     let page = std::fs::read_to_string(&path).unwrap();
     std::fs::remove_file(&path).unwrap();
     assert!(page.contains("a \\u003c/script> command"));
-    assert_eq!(found.report(&path, Some("a\0b")).unwrap_err().kind(), ErrorKind::Argument);
+    let wrong = found.report(&path, Some("a\0b"), &options).unwrap_err();
+    assert_eq!(wrong.kind(), ErrorKind::Argument);
 
     let sides = whole.compare_left_right(&clip, None, 101, &options).unwrap();
-    assert!(sides.sides && sides.shift == 0.5 && sides.shift_error.is_nan());
-    assert!(sides.parts.iter().all(|part| part.second_name.starts_with("Right")));
-    let error = whole.compare(&part, Some(7), None, 51).unwrap_err();
+    let about = sides.whole();
+    assert!(about.sides && about.shift == 0.5 && about.shift_error.is_none());
+    assert!(sides.parts().iter().all(|part| part.second.starts_with("Right")));
+    let error = whole.compare(&part, Some(7), None, 51, &options).unwrap_err();
     assert_eq!(error.kind(), ErrorKind::Argument);
 }
 
 #[test]
 fn borders_may_be_given() {
     let ramp: Vec<[f64; 1]> = (0..9).map(|frame| [frame as f64]).collect();
-    let cycles = Cycles::between(&[0.0, 4.0, 8.0], &ramp, 5).unwrap();
-    assert_eq!(cycles.mean().unwrap()[(1, 0)], 3.0);
-    assert!(Cycles::between(&[4.0, 4.0], &ramp, 5).is_err());
+    let cycles = Cycles::between(&[0.0, 4.0, 8.0], &ramp, 5, &Options::new()).unwrap();
+    assert_eq!(cycles.mean()[(1, 0)], 3.0);
+    assert!(Cycles::between(&[4.0, 4.0], &ramp, 5, &Options::new()).is_err());
 }
 
 #[test]
@@ -90,17 +97,20 @@ fn sides_of_signals_are_compared() {
         .map(|frame| turn * f64::from(frame) / 100.0)
         .map(|at| [at.sin(), 0.8 * (at - turn * 0.55).sin() + 0.1])
         .collect();
-    let cycles = Cycles::between(&[0.0, 100.0, 200.0], &knees, 101).unwrap();
-    let compared = cycles.compare_left_right(&["knee_l", "knee_r"], 50.0).unwrap();
-    assert_eq!((compared.parts.len(), compared.counts), (1, [2, 2]));
-    let pair = &compared.parts[0];
-    assert_eq!((&*pair.name, &*pair.second_name), ("knee_l", "knee_r"));
+    let options = Options::new();
+    let cycles = Cycles::between(&[0.0, 100.0, 200.0], &knees, 101, &options).unwrap();
+    let compared = cycles.compare_left_right(&["knee_l", "knee_r"], 50.0, &options).unwrap();
+    let counts: Vec<_> = compared.motions().iter().map(|motion| motion.cycles).collect();
+    assert_eq!((compared.parts().len(), &counts[..]), (1, &[2, 2][..]));
+    let pair = &compared.parts()[0];
+    assert_eq!((&*pair.first, &*pair.second), ("knee_l", "knee_r"));
     assert!((pair.lag.difference - 0.05).abs() < 1e-3 && (pair.mean.difference - 0.1).abs() < 1e-9);
-    assert!((pair.ratio[0] - 0.8).abs() < 1e-2 && pair.chance < 1e-9 && pair.correlation > 0.999);
-    assert!((compared.cycle_time.first - 2.0).abs() < 1e-9);
-    let unlike = cycles.compare_left_right(&["knee_l", "hip_r"], 0.0).unwrap_err();
+    assert!((pair.amplitude_ratio.value - 0.8).abs() < 1e-2);
+    assert!(pair.rms_by_chance < 1e-9 && pair.correlation > 0.999);
+    assert!((compared.whole().cycle_time_s.first - 2.0).abs() < 1e-9);
+    let unlike = cycles.compare_left_right(&["knee_l", "hip_r"], 0.0, &options).unwrap_err();
     assert_eq!(unlike.kind(), ErrorKind::Unsupported);
-    let few = cycles.compare_left_right(&["knee_l"], 0.0).unwrap_err();
+    let few = cycles.compare_left_right(&["knee_l"], 0.0, &options).unwrap_err();
     assert_eq!(few.kind(), ErrorKind::Shape);
 }
 
@@ -115,22 +125,23 @@ fn a_mark_is_found_in_every_cycle() {
         let part = &found.cycles()[cycle];
         (part.begin_s + part.end_s) / 2.0 * clip.fps().unwrap()
     };
-    let events = phase.events(&[middle(1)], None).unwrap();
-    assert_eq!(events.likeness, 1.0);
-    assert!(events.warnings.is_empty());
+    let events = phase.events(&[middle(1)], None, &options).unwrap();
+    assert_eq!(events.likeness(), 1.0);
+    assert!(events.warnings().is_empty());
     for cycle in 0..found.cycles().len() {
-        let event = events.events.iter().find(|event| event.cycle == Some(cycle)).unwrap();
+        let event = *events.all().iter().find(|event| event.cycle == Some(cycle)).unwrap();
         assert!((event.frame - middle(cycle)).abs() < 3.0);
         assert_eq!(event.marked, cycle == 1);
         assert!((event.seconds * clip.fps().unwrap() - event.frame).abs() < 1e-9);
         assert!((0.0..=1.0).contains(&event.confidence));
     }
-    assert_eq!(phase.events(&[middle(1)], Some(&phase)).unwrap(), events);
+    let same = phase.events(&[middle(1)], Some(&phase), &options).unwrap();
+    assert_eq!(same.all(), events.all());
     let image = clip.mirrored(&options).unwrap();
     let image = Phase::find(&image.decompose(&options).unwrap(), &options).unwrap();
-    let other_side = phase.events(&[middle(1)], Some(&image)).unwrap();
-    assert!(other_side.likeness > 0.9 && !other_side.events.is_empty());
-    assert_eq!(phase.events(&[2.0], None).unwrap_err().kind(), ErrorKind::Argument);
+    let other_side = phase.events(&[middle(1)], Some(&image), &options).unwrap();
+    assert!(other_side.likeness() > 0.9 && !other_side.all().is_empty());
+    assert_eq!(phase.events(&[2.0], None, &options).unwrap_err().kind(), ErrorKind::Argument);
 }
 
 #[test]
@@ -143,7 +154,7 @@ fn a_stream_has_the_phase_of_the_clip() {
     let mut model = Model::fit_clip(&clip, &options).unwrap();
     assert!(!model.has_cycle());
     assert_eq!(Live::new(&model).unwrap_err().kind(), ErrorKind::Unsupported);
-    model.keep_cycle(&phase).unwrap();
+    model.keep_cycle(&phase, &options).unwrap();
     let marked = found.cycles()[1].begin + 40;
     model.keep_mark(&phase, marked as f64, "strike").unwrap();
     assert!(model.keep_mark(&phase, 2.0, "standing").is_err());
@@ -152,7 +163,7 @@ fn a_stream_has_the_phase_of_the_clip() {
     let model = Model::parse(&model.serialize().unwrap()).unwrap();
     let mut live = Live::new(&model).unwrap();
     assert_eq!(live.marks(), ["strike"]);
-    let (frames, phases) = (clip.features(&options).unwrap(), phase.values().unwrap());
+    let (frames, phases) = (clip.features(&options).unwrap(), phase.values());
     let mut passed = Vec::new();
     for (row, phase) in phases.iter().enumerate() {
         let now = live.push(row as f64 / clip.fps().unwrap(), frames.row(row)).unwrap();

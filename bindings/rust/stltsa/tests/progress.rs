@@ -62,7 +62,7 @@ fn it_cancels_at_every_report() {
         assert!(asked || last > 10, "told only {told:?} times");
     }
     let again = Model::fit(&circle(), &circle_options()).unwrap();
-    assert!(same_bits(&again.coords().unwrap(), &whole.coords().unwrap()));
+    assert!(same_bits(&again.coords(), &whole.coords()));
 }
 
 #[test]
@@ -74,8 +74,8 @@ fn it_cancels_events_comparisons_and_files() {
     let options = Options::new().progress(|_, _| Break(()));
     let path = std::env::temp_dir().join(format!("stltsa-{}.csv", std::process::id()));
     let errors = [
-        phase.events_with(&[250.0], None, &options).err(),
-        phase.compare_with(&phase, None, None, 101, &options).err(),
+        phase.events(&[250.0], None, &options).err(),
+        phase.compare(&phase, None, None, 101, &options).err(),
         clip.save_with(&path, &options).err(),
     ];
     for error in errors {

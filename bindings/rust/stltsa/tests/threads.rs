@@ -7,8 +7,7 @@ use std::thread;
 
 use common::{circle, circle_model, circle_options, same_bits};
 use stltsa::{
-    Clip, Decomposition, Denoising, Dimension, Error, Matrix, Model, Options, Piece, Synthesis,
-    View,
+    Clip, Decomposition, Denoising, Error, Info, Matrix, Model, Options, Piece, Synthesis, View,
 };
 
 #[test]
@@ -16,7 +15,7 @@ fn all_types_are_send_and_sync() {
     fn check<T: Send + Sync>() {}
     check::<Clip>();
     check::<Model>();
-    check::<Dimension>();
+    check::<Info<'_>>();
     check::<Decomposition>();
     check::<Denoising>();
     check::<Synthesis>();
@@ -29,7 +28,7 @@ fn all_types_are_send_and_sync() {
 
 #[test]
 fn fits_at_once_give_the_bits_of_one() {
-    let alone = circle_model().coords().unwrap();
+    let alone = circle_model().coords();
     let fits: Vec<_> = (1..5)
         .map(|threads| {
             thread::spawn(move || Model::fit(&circle(), &circle_options().threads(threads)))
@@ -37,19 +36,19 @@ fn fits_at_once_give_the_bits_of_one() {
         .collect();
     for fit in fits {
         let model = fit.join().unwrap().unwrap();
-        assert!(same_bits(&model.coords().unwrap(), &alone));
+        assert!(same_bits(&model.coords(), &alone));
     }
 }
 
 #[test]
 fn several_threads_ask_one_model() {
     let model = circle_model();
-    let expected = model.coords().unwrap();
+    let expected = model.coords();
     thread::scope(|scope| {
         for _ in 0..4 {
             scope.spawn(|| {
                 for _ in 0..5 {
-                    let mapped = model.map(&circle(), &Options::new()).unwrap();
+                    let mapped = model.map(&circle(), None, &Options::new()).unwrap();
                     assert!(same_bits(&mapped.coords, &expected));
                 }
             });

@@ -7,7 +7,7 @@ rows! {
     #[non_exhaustive]
     Warning: stltsa_warning [Warning] {
         /// [`WarningKind`].
-        code: WarningKind = WarningKind::from_raw,
+        code: WarningKind = From::from,
         /// What it is about, and what to do.
         text: String = text,
         /// Seconds in the clip at which it applies; `None`: it has no time.
@@ -61,12 +61,12 @@ rows! {
         /// Applications of the inverse operator by ARPACK.
         solves: usize = count,
     }
-    /// A unit, [begin, end) as in [`stltsa_interval`].
+    /// A unit, [begin, end) as in `stltsa_interval`.
     #[derive(Copy)]
     #[non_exhaustive]
     Unit: stltsa_unit [Unit] {
         /// [`UnitKind`].
-        kind: UnitKind = UnitKind::from_raw,
+        kind: UnitKind = From::from,
         /// Index of its segment.
         segment: usize = count,
         /// Frames, rounded.
@@ -78,11 +78,11 @@ rows! {
         /// Seconds, with fractions of a frame.
         end_s: f64 = From::from,
     }
-    /// A stretch of one behavior, [begin, end) as in [`stltsa_interval`].
+    /// A stretch of one behavior, [begin, end) as in `stltsa_interval`.
     #[non_exhaustive]
     Segment: stltsa_segment [Segment] {
         /// [`SegmentKind`].
-        kind: SegmentKind = SegmentKind::from_raw,
+        kind: SegmentKind = From::from,
         /// 0, 1, ... in order of appearance; `None`: a rest.
         label: Option<usize> = index,
         /// The label as it is shown: A, B, ... Z, AA, ...; `None` for a rest.
@@ -128,7 +128,7 @@ rows! {
         /// Why its cycles have no steps; `None` if they have, or no cycles.
         steps_reason: Option<String> = filled,
     }
-    /// A cycle, a step or a repetition, [begin, end) as in [`stltsa_interval`], and how the body
+    /// A cycle, a step or a repetition, [begin, end) as in `stltsa_interval`, and how the body
     /// travels over the ground meanwhile: the body root of a skeleton, or the mean of points.
     #[non_exhaustive]
     Part: stltsa_part [Cycle, Step, Repetition] {
@@ -278,7 +278,7 @@ rows! {
         /// Left against right.
         sides: bool = flag,
         /// [`Features`] that were compared.
-        features: Features = Features::from_raw,
+        features: Features = From::from,
         /// Of each cycle.
         samples: usize = count,
         /// Phase of the second motion at phase 0 of the first, -0.5 to 0.5.
