@@ -1249,7 +1249,7 @@ typedef struct stltsa_comparison stltsa_comparison;
  * known, not how the same person moves on another day (docs/answers.md has measurements). Unknown
  * values are NaN; with only one cycle, these are all that depend on the spread. Frozen. */
 typedef struct stltsa_estimate {
-    double first, first_sd;   /* of the first motion: mean, standard deviation between cycles */
+    double first, first_sd;   /* of the first motion: value, standard deviation between cycles */
     double second, second_sd; /* the same of the second */
     double difference;        /* second minus first */
     double standard_error;    /* of the difference */

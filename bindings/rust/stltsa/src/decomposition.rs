@@ -83,13 +83,10 @@ impl Decomposition {
         let (kind, label, quantity) = (kind.raw(), c_count(label)?, quantity.raw());
         let side = side.map_or(-1, |side| i32::try_from(side).unwrap_or(i32::MAX));
         let mut raw = std::mem::MaybeUninit::zeroed();
-        let out = raw.as_mut_ptr();
+        let (of, out) = (self.raw(), raw.as_mut_ptr());
         // SAFETY: a live handle; a struct of numbers, which the call fills.
         unsafe {
-            let raw_self = self.raw();
-            check(sys::stltsa_decomposition_statistics(
-                raw_self, kind, label, side, quantity, out,
-            ))?;
+            check(sys::stltsa_decomposition_statistics(of, kind, label, side, quantity, out))?;
             Ok(Statistics::of(raw.assume_init()))
         }
     }

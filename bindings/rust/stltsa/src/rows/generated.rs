@@ -241,9 +241,9 @@ rows! {
     #[derive(Copy)]
     #[non_exhaustive]
     Estimate: stltsa_estimate [] {
-        /// Of the first motion: mean, standard deviation between cycles.
+        /// Of the first motion: value, standard deviation between cycles.
         first: f64 = From::from,
-        /// Of the first motion: mean, standard deviation between cycles.
+        /// Of the first motion: value, standard deviation between cycles.
         first_sd: f64 = From::from,
         /// The same of the second.
         second: f64 = From::from,
