@@ -60,7 +60,7 @@ void keep_cycle(Fitted& model, const Phased& phased) {
         phase::learn_live(rows.view(), phased.clip.fps, motion->phases, phased.of->drifting);
     model.live.body = std::move(body);
     warn_if_linear(motion->phases, model.model.warnings);
-    model.live.label = motion->label;
+    model.live.label = static_cast<std::int32_t>(motion->label);
     model.live.marks.clear();
     model.live.has_cycle = true;
 }

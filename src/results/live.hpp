@@ -17,7 +17,7 @@ struct PhasedMark {
 
 struct Live {
     bool has_cycle = false; ///< else nothing below is there
-    std::int64_t label = 0; ///< of the motion in its clip
+    std::int32_t label = 0; ///< of the motion in its clip
     clip::Body body;        ///< what a frame's features need
     phase::LiveCycle cycle;
     std::vector<PhasedMark> marks;
