@@ -1467,6 +1467,8 @@ STLTSA_API stltsa_status stltsa_live_push(stltsa_live *live, double seconds,
  * segments, units, cycles and repetitions over time; the curve and the loop; mean cycles with
  * standard deviation, left beside right; tables and warnings. For a long clip it keeps only every
  * second, third, ... posture, so that an hour takes at most 10 MB, and says so.
+ * If the path ends in .svg, writes a figure instead: the curve over time with units, cycles and
+ * postures, the loop with frame numbers, and the cycles on 0 to 100 %.
  *
  * options   those with which the clip was decomposed
  * command   the command or call that makes the report again, for the page to show; NULL: unknown

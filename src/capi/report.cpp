@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <string_view>
+
 #include "capi/boundary/guard.hpp"
 #include "capi/handles.hpp"
 #include "capi/json/results.hpp"
 #include "capi/options/flags.hpp"
 #include "capi/options/reader.hpp"
 #include "clip/files/write_file.hpp"
+#include "clip/text/text_cursor.hpp"
 #include "report/comparison_page.hpp"
+#include "report/figure/figure.hpp"
 #include "report/page.hpp"
 
 using namespace stltsa;
@@ -21,6 +26,15 @@ std::string name_of(const stltsa_clip& clip) {
     if (path.empty() || clip.pieces.empty())
         return path;
     return clip.stretch.empty() ? "" : path + ':' + clip.stretch;
+}
+
+/// Of a figure: the name without folders.
+std::string title_of(const stltsa_clip& clip) {
+    const std::string& path = clip.clip.path;
+    if (path.empty())
+        return "motion";
+    return path.substr(path.find_last_of('/') + 1) +
+           (clip.stretch.empty() ? "" : ':' + clip.stretch);
 }
 
 /// For the commands on the page.
@@ -42,10 +56,16 @@ stltsa_status stltsa_report_save(const stltsa_clip* clip, const stltsa_decomposi
         const results::Decomposed& decomposed = required(decomposition, "decomposition");
         const capi::OptionsReader reader(options);
         const Progress progress = reader.progress();
-        const std::string page = report::page(
-            {of.clip, decomposed, reader.prepare_options(), capi::decomposition_json(decomposed),
-             command == nullptr ? "" : command, name_of(of), of.pieces, flags_by_command(options)},
-            progress);
+        const bool drawn = clip::equals_ignoring_case(
+            std::string_view(place).substr(std::min(place.find_last_of('.'), place.size())),
+            ".svg");
+        const std::string page = drawn
+                                     ? report::figure(of.clip, decomposed, title_of(of), progress)
+                                     : report::page({of.clip, decomposed, reader.prepare_options(),
+                                                     capi::decomposition_json(decomposed),
+                                                     command == nullptr ? "" : command, name_of(of),
+                                                     of.pieces, flags_by_command(options)},
+                                                    progress);
         clip::write_file(
             place, [&](const Sink& sink) { sink(page); },
             [&] { progress.report(Stage::write, 1); });

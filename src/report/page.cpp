@@ -5,6 +5,7 @@
 
 #include "base/numbers.hpp"
 #include "report/body.hpp"
+#include "report/curve_rows.hpp"
 #include "report/motions.hpp"
 #include "report/packed.hpp"
 #include "report/template.hpp"
@@ -21,22 +22,11 @@ std::int64_t step_of(std::int64_t rows) {
     return std::max<std::int64_t>(1, (rows + most_rows - 1) / most_rows);
 }
 
-/// The coordinate that was cut and, beside it, the two of the loop; NaN where nothing was fitted.
 Json curve_json(const results::Decomposed& decomposed) {
-    const motion::Curve& found = decomposed.curve;
-    const auto count = static_cast<std::int64_t>(found.curve.size());
-    const std::int64_t step = step_of(count);
-    Matrix rows((count + step - 1) / step, 3);
-    for (std::int64_t r = 0; r < rows.rows(); ++r) {
-        rows(r, 0) = found.curve[static_cast<std::size_t>(r * step)];
-        for (int c = 0; c < 2; ++c)
-            rows(r, 1 + c) = found.coords(r * step, c);
-        if (std::all_of(rows.row(r), rows.row(r) + 3, [](double value) { return value == 0; }))
-            std::fill_n(rows.row(r), 3, none);
-    }
+    const std::int64_t step = step_of(std::ssize(decomposed.curve.curve));
     const results::SampleFacts& samples = decomposed.source.samples;
     return JsonObject("first", samples.first, "step", step * samples.step, "values",
-                      packed(rows.view()));
+                      packed(curve_rows(decomposed, step).view()));
 }
 
 /// Phase and distance from the mean cycle.
@@ -95,7 +85,7 @@ std::string page(const Reported& reported, const Progress& progress) {
     const clip::Clip& clip = reported.clip;
     const auto found = results::phase_of(reported.decomposed, progress);
     const results::Phased& phased = *found;
-    results::check_same_clip(clip, phased);
+    results::check_same_clip(clip, *phased.of);
     const auto poll = [&] { progress.report(Stage::write, 0); };
     const std::vector<Part> parts = parts_of(clip);
     JsonObject data("format", "stltsa-report/1", "command", reported.command, "checksum",

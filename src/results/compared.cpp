@@ -356,7 +356,7 @@ Comparison compare_left_right(const clip::Clip& clip, const Phased& phased,
                               const clip::PrepareOptions& prepare, const Progress& progress) {
     candidates(phased, label, "first"); // throws if there are none
     const PhasedMotion& motion = *longest_in_cycles(phased, label);
-    check_same_clip(clip, phased);
+    check_same_clip(clip, *phased.of);
     if (const std::string reason = no_halves(motion); !reason.empty())
         fail(Status::unsupported, "{}", reason);
     CommonColumns columns = side_columns_of(phased);

@@ -68,18 +68,18 @@ void turn_to_sides(const phase::Resampled& own, const phase::Resampled& image, c
 
 } // namespace
 
-void check_same_clip(const clip::Clip& clip, const Phased& phased) {
-    if (clip.frames() != phased.clip.frames || clip.fps != phased.clip.fps)
+void check_same_clip(const clip::Clip& clip, const FrameRows& rows) {
+    if (clip.frames() != rows.clip.frames || clip.fps != rows.clip.fps)
         fail(Status::argument,
-             "the phase belongs to another clip: it has {} frames, and this clip has {}",
-             phased.clip.frames, clip.frames());
-    const clip::Features features = phased.samples.features;
+             "the result belongs to another clip: it has {} frames, and this clip has {}",
+             rows.clip.frames, clip.frames());
+    const clip::Features features = rows.samples.features;
     const bool any = features == clip::Features::raw;
     const bool points = features == clip::Features::points;
     if (!(any || points != clip.skeleton.has_value()) ||
-        clip::column_owners(clip, features) != phased.owners)
+        clip::column_owners(clip, features) != rows.owners)
         fail(Status::argument,
-             "the phase belongs to another clip: one with other joints or points");
+             "the result belongs to another clip: one with other joints or points");
 }
 
 Matrix rows_by_frame(const Phased& phased) {

@@ -8,7 +8,7 @@ namespace stltsa::results {
 
 /// Throws Status::argument if the clip is not that of the phase, as far as the number of frames,
 /// the frame rate and the names of the features tell.
-void check_same_clip(const clip::Clip& clip, const Phased& phased);
+void check_same_clip(const clip::Clip& clip, const FrameRows& rows);
 
 /// The features, a row for each frame of the file, NaN for those that were dropped.
 Matrix rows_by_frame(const Phased& phased);

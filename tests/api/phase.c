@@ -261,7 +261,7 @@ static void wrong_arguments_are_named(void** state) {
     stltsa_comparison* sides = NULL;
     assert_int_equal(stltsa_compare_left_right(part, w.phase, 0, 101, NULL, &sides),
                      STLTSA_E_ARGUMENT);
-    assert_non_null(strstr(stltsa_last_error(), "the phase belongs to another clip"));
+    assert_non_null(strstr(stltsa_last_error(), "the result belongs to another clip"));
     assert_null(sides);
     stltsa_phase_free(NULL);
     stltsa_cycles_free(NULL);

@@ -58,6 +58,29 @@ static void a_page_repeats_to_the_byte(void** state) {
     stltsa_clip_free(clip);
 }
 
+/* The suffix alone decides, in any case; the figure names the clip. */
+static void a_path_that_ends_in_svg_gets_a_figure(void** state) {
+    (void)state;
+    stltsa_clip* clip = opened();
+    char* page = report(clip, NULL);
+    const char* const suffixes[] = {"svg", "SVG"};
+    for (size_t i = 0; i < 2; ++i) {
+        snprintf(path, sizeof path, "%s/walk.%s", folder, suffixes[i]);
+        char *one = report(clip, NULL), *two = report(clip, "ignored");
+        assert_string_equal(one, two);
+        assert_int_equal(strncmp(one, "<?xml", 5), 0);
+        assert_non_null(strstr(one, "<title>"));
+        assert_non_null(strstr(one, "class=\"posture\""));
+        assert_non_null(strstr(one, "3 cycles of 1.100 s, standard deviation 0.000 s"));
+        assert_true(strlen(one) < strlen(page) / 2);
+        free(one);
+        free(two);
+    }
+    snprintf(path, sizeof path, "%s/walk.html", folder);
+    free(page);
+    stltsa_clip_free(clip);
+}
+
 static void no_text_ends_the_data(void** state) {
     (void)state;
     stltsa_clip* clip = opened();
@@ -91,6 +114,11 @@ static void saving_can_be_cancelled(void** state) {
         assert_true(cancelled < 1000);
     }
     free(file_text());
+    snprintf(path, sizeof path, "%s/walk.svg", folder);
+    left = 0;
+    assert_int_equal(stltsa_report_save(clip, found, options, NULL, path), STLTSA_E_CANCELLED);
+    assert_int_equal(access(path, F_OK), -1);
+    snprintf(path, sizeof path, "%s/walk.html", folder);
     must(stltsa_options_set_progress(options, count_writing, &writing));
     must(stltsa_report_save(clip, found, options, NULL, path));
     free(file_text());
@@ -113,6 +141,10 @@ static void what_is_wrong_is_said(void** state) {
     assert_int_equal(stltsa_report_save(clip, found, NULL, NULL, NULL), STLTSA_E_ARGUMENT);
     assert_int_equal(stltsa_report_save(other, found, NULL, NULL, path), STLTSA_E_ARGUMENT);
     assert_int_equal(stltsa_report_save(clip, found, NULL, NULL, "/no/such/folder/x.html"),
+                     STLTSA_E_IO);
+    assert_int_equal(stltsa_report_save(other, found, NULL, NULL, "/no/such/folder/x.svg"),
+                     STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_report_save(clip, found, NULL, NULL, "/no/such/folder/x.svg"),
                      STLTSA_E_IO);
     assert_int_not_equal(access(path, F_OK), 0);
     stltsa_decomposition_free(found);
@@ -163,8 +195,11 @@ int main(int argc, char** argv) {
         return 2;
     walker_path = argv[1];
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_page_repeats_to_the_byte), cmocka_unit_test(no_text_ends_the_data),
-        cmocka_unit_test(saving_can_be_cancelled),    cmocka_unit_test(what_is_wrong_is_said),
+        cmocka_unit_test(a_page_repeats_to_the_byte),
+        cmocka_unit_test(a_path_that_ends_in_svg_gets_a_figure),
+        cmocka_unit_test(no_text_ends_the_data),
+        cmocka_unit_test(saving_can_be_cancelled),
+        cmocka_unit_test(what_is_wrong_is_said),
         cmocka_unit_test(a_comparison_is_a_page),
     };
     return cmocka_run_group_tests(tests, make_folder, remove_folder);

@@ -141,7 +141,7 @@ class Files(CommandTest):
         (self.folder / "sub").mkdir()
         for same in (clip, link, self.folder / "sub" / ".." / "walk.svg"):
             self.assertIn("input", self.fails(2, "decompose", clip, "--plot", same))
-            self.assertIn("input", self.fails(2, "fit", walk(), "--skeleton", clip, "--plot", same))
+            self.assertIn("input", self.fails(2, "decompose", walk(), "--skeleton", clip, "--plot", same))
         text = self.folder / "walk.txt"
         text.write_bytes(walk().read_bytes())
         self.assertIn("input", self.fails(2, "dimension", "walk.txt", "-o", text, cwd=self.folder))
@@ -155,9 +155,9 @@ class Files(CommandTest):
         self.done("decompose", walk(), "-o", "/dev/null", "--plot", "/dev/null")
 
     def test_failed_run_leaves_the_old_file(self):
-        path = self.folder / "old.svg"
+        path = self.folder / "old.csv"
         path.write_text("old", encoding="ascii")
-        self.fails(4, "fit", still(), "--smoothing", "0", "--plot", path)
+        self.fails(4, "fit", still(), "--smoothing", "0", "--coords", path)
         self.assertEqual(path.read_text(encoding="ascii"), "old")
 
     def test_file_is_replaced_with_its_mode_and_through_links(self):
@@ -228,6 +228,10 @@ class Files(CommandTest):
         self.assertEqual(
             self.done("decompose", walk(), "-o", "/dev/stdout"), self.done("decompose", walk())
         )
+        line = ("decompose", walk(), "-o", self.folder / "x.txt", "--plot")
+        figure = self.done(*line, "/dev/stdout")  # the name does not say that it is a figure
+        self.assertTrue(figure.startswith(b"<?xml"), figure[:80])
+        self.assertEqual(figure, self.done(*line, "-"))
 
 
 class StandardOutput(CommandTest):
@@ -242,12 +246,11 @@ class StandardOutput(CommandTest):
             (".csv", "decompose", walk(), "--phase"),
             (".csv", "fit", walk(), "--coords"),
             (".stltsa", "fit", walk(), "-o"),
-            (".svg", "fit", walk(), "--plot"),
             (".csv", "map", model, walk(), "-o"),
             (".bvh", "unmap", model, y, "-o"),
             (".csv", "denoise", walk(), "-o"),
             (".csv", "denoise", walk(), "--curve-out"),
-            (".svg", "denoise", walk(), "--plot"),
+            (".html", "decompose", walk(), "--report"),
             (".bvh", "synthesize", f"{walk()}:best", "-o"),
         ):
             with self.subTest(line):

@@ -250,10 +250,10 @@ def started(*arguments, **settings):
 
 class Interrupt(CommandTest):
     def test_while_it_works(self):
-        files = [self.folder / name for name in ("y.npy", "y.svg")]
+        files = [self.folder / name for name in ("y.npy", "y.stltsa")]
         terminal = Terminal(
             *("fit", long_clip(), "--neighbors", "600", "--sample-rate", "0", "--json"),
-            *("--coords", files[0], "--plot", files[1]),
+            *("--coords", files[0], "-o", files[1]),
         )
         self.assertTrue(terminal.wait_for(b" %"), terminal.seen)
         start = time.monotonic()

@@ -96,14 +96,20 @@ const stltsa_clip* swinging() {
     return clip;
 }
 
-/// Writes a report of a clip that has already been decomposed.
+/// Writes a report and a figure of a clip that has already been decomposed.
 stltsa_status report(const std::string&) {
     static const stltsa_decomposition* found = [] {
         stltsa_decomposition* made = nullptr;
         stltsa_decompose(swinging(), nullptr, &made);
         return made;
     }();
-    return stltsa_report_save(swinging(), found, nullptr, "stltsa", "/dev/null");
+    static const std::string figure = std::filesystem::temp_directory_path() /
+                                      ("stltsa-oom-" + std::to_string(::getpid()) + ".svg");
+    stltsa_status status = stltsa_report_save(swinging(), found, nullptr, "stltsa", "/dev/null");
+    if (status == STLTSA_OK)
+        status = stltsa_report_save(swinging(), found, nullptr, nullptr, figure.c_str());
+    ::unlink(figure.c_str());
+    return status;
 }
 
 stltsa_status note_model(const stltsa_model* model) {

@@ -132,7 +132,6 @@ class Parser {
         add_marks(fit,
                   "A frame of a cycle, which need not be whole, or seconds (2.5s), and the name "
                   "of what happens then, for live.");
-        add_plot(fit);
         CLI::App& map = model_command(Command::map, "map", a_clip);
         add_product(map, "Write the coordinates to a .npy or .csv file.");
         map.add_flag("--curve", to_.curve,
@@ -149,7 +148,9 @@ class Parser {
         CLI::App& dimension = clip_command(Command::dimension, "dimension", a_clip);
         add_output(dimension);
         CLI::App& decompose = clip_command(Command::decompose, "decompose", a_clip);
-        add_plot(decompose);
+        decompose
+            .add_option("--plot", to_.plot, "Draw units, curve, loop and cycles into an SVG file.")
+            ->type_name("FILE");
         add_output(decompose);
         decompose
             .add_option("--phase", to_.phase,
@@ -166,7 +167,6 @@ class Parser {
         add_product(synthesize,
                     "Write the new motion to a .bvh, .amc, .glb (glTF), .csv or .npy file.")
             ->required();
-        add_plot(synthesize);
         add_batch();
         add_compare();
         add_events();
@@ -377,7 +377,6 @@ class Parser {
             .add_option("--curve-out", to_.curve_product,
                         "Write the fitted curve to a .npy or .csv file.")
             ->type_name("FILE");
-        add_plot(denoise);
         denoise.add_flag("--curve", to_.curve,
                          "Add coordinates, curve and cleaned coordinates, row by row, to the "
                          "JSON.");
@@ -393,9 +392,6 @@ class Parser {
     }
     void add_output(CLI::App& app) {
         app.add_option("-o,--output", to_.output, "Write the result to a file.")->type_name("FILE");
-    }
-    void add_plot(CLI::App& app) {
-        app.add_option("--plot", to_.plot, "Write a figure as SVG.")->type_name("FILE");
     }
 
     Arguments& to_;

@@ -25,7 +25,7 @@ Examples:
   stltsa fit walk.bvh -o walk.stltsa --dimension 3
   stltsa map walk.stltsa other.bvh -o y.npy        other frames, same curve
   stltsa unmap walk.stltsa y.npy -o poses.bvh      and back
-  stltsa denoise walk.bvh --plot before_after.svg  the curve without noise
+  stltsa denoise walk.bvh -o cleaned.npy           the curve without noise
   stltsa synthesize walk.bvh --loop -o loop.bvh    a loop from its cycles
   stltsa batch recordings/ --out results           many clips
   stltsa compare before.bvh after.bvh              timing and amplitude, by phase
@@ -92,7 +92,7 @@ Examples:
   stltsa synthesize walk.bvh --loop -o loop.bvh
   stltsa synthesize 'walk.bvh:best*4' -o longer.bvh
   stltsa synthesize walk.bvh:initial 'walk.bvh:best*8' -o long.bvh
-  stltsa synthesize walk.bvh run.bvh:cyclic -o joined.bvh --plot seams.svg)";
+  stltsa synthesize walk.bvh run.bvh:cyclic -o joined.bvh)";
 }
 
 constexpr const char* about_dimension =
@@ -106,7 +106,7 @@ constexpr const char* about_denoise =
     R"(Cleans the curve: moves noisy points towards a smooth fit.
 
 Examples:
-  stltsa denoise walk.bvh --dimension 1 --plot before_after.svg
+  stltsa denoise walk.bvh --dimension 1
   stltsa denoise walk.stltsa -o cleaned.npy --curve-out curve.npy
   stltsa denoise y.csv --coordinates --fps 30 --gamma 0.01)";
 

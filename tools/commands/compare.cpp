@@ -53,7 +53,7 @@ Exit run_compare(const Arguments& arguments) {
     };
     const stltsa::Comparison comparison = compared();
     if (!arguments.report.empty())
-        session.add_report(arguments.report, [&](const std::string& name) {
+        session.add_saved(arguments.report, ".html", [&](const std::string& name) {
             comparison.save_report(name, arguments.line);
         });
     session.finish(

@@ -7,7 +7,6 @@
 
 #include "commands/commands.hpp"
 #include "commands/session.hpp"
-#include "plot/from_results.hpp"
 #include "reports/json.hpp"
 #include "reports/report.hpp"
 #include "reports/sides.hpp"
@@ -95,12 +94,13 @@ std::string json_with_phase(const std::string& text, const PhaseAnswer& answer) 
 Exit run_decompose(const Arguments& arguments) {
     Session session(arguments);
     const stltsa::Decomposition found = stltsa::decompose(session.open_input(), session.options());
+    const auto save = [&](const std::string& name) {
+        found.save_report(session.clip(), name, arguments.line, session.options());
+    };
     if (!arguments.plot.empty())
-        session.add_file(arguments.plot, decomposition_figure(session, found));
+        session.add_saved(arguments.plot, ".svg", save);
     if (!arguments.report.empty())
-        session.add_report(arguments.report, [&](const std::string& name) {
-            found.save_report(session.clip(), name, arguments.line, session.options());
-        });
+        session.add_saved(arguments.report, ".html", save);
     std::vector<std::string> warnings = texts_of(found.warnings());
     PhaseAnswer of_phase;
     if (!arguments.phase.empty())

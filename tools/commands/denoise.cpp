@@ -7,7 +7,6 @@
 #include "arguments/option_flags.hpp"
 #include "commands/commands.hpp"
 #include "commands/session.hpp"
-#include "plot/from_results.hpp"
 #include "reports/json.hpp"
 #include "reports/report.hpp"
 #include "reports/table.hpp"
@@ -104,8 +103,6 @@ Exit run_denoise(const Arguments& arguments) {
         session.add_table(arguments.product, denoising.cleaned());
     if (!arguments.curve_product.empty())
         session.add_table(arguments.curve_product, denoising.curve());
-    if (!arguments.plot.empty())
-        session.add_file(arguments.plot, denoising_figure(session, cleaning.points, denoising));
     session.finish({[&] { return denoising_json(session, cleaning); },
                     [&] { return denoising_report(denoising, session.title()); },
                     texts_of(denoising.warnings())});

@@ -10,7 +10,6 @@
 #include "arguments/marks.hpp"
 #include "commands/commands.hpp"
 #include "commands/session.hpp"
-#include "plot/from_results.hpp"
 #include "reports/report.hpp"
 #include "reports/table.hpp"
 
@@ -82,8 +81,6 @@ Exit run_fit(const Arguments& arguments) {
         of_cycle = keep_cycle(arguments, session, model);
         session.add_model(arguments.product, model);
     }
-    if (!arguments.plot.empty())
-        session.add_file(arguments.plot, fit_figure(session, model));
     const auto table = [&] {
         return model_report(model, session.title()) + listed("warning:", of_cycle);
     };

@@ -231,8 +231,9 @@ void Session::add_model(const std::string& path, const stltsa::Model& model) {
                        [&model](const std::string& name) { writing([&] { model.save(name); }); });
 }
 
-void Session::add_report(const std::string& path, std::function<void(const std::string&)> save) {
-    files_.add_written(path, ".html", [save = std::move(save)](const std::string& name) {
+void Session::add_saved(const std::string& path, const char* suffix,
+                        std::function<void(const std::string&)> save) {
+    files_.add_written(path, suffix, [save = std::move(save)](const std::string& name) {
         writing([&] { save(name); });
     });
 }

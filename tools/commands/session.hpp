@@ -54,8 +54,9 @@ class Session {
     /// The suffix determines the format. The clip, like a model, must live until finish().
     void add_clip(const std::string& path, const stltsa::Clip& clip);
     void add_model(const std::string& path, const stltsa::Model& model);
-    /// Adds a report, which `save` writes under a given name.
-    void add_report(const std::string& path, std::function<void(const std::string&)> save);
+    /// Adds a file, which `save` writes under a given name with this suffix.
+    void add_saved(const std::string& path, const char* suffix,
+                   std::function<void(const std::string&)> save);
     /// The result that finish() writes, as JSON or as a table; only one is called.
     struct Answer {
         std::function<std::string()> json;

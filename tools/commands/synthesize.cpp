@@ -2,7 +2,6 @@
 #include "arguments/pieces.hpp"
 #include "commands/commands.hpp"
 #include "commands/session.hpp"
-#include "plot/from_results.hpp"
 #include "reports/report.hpp"
 #include "reports/table.hpp"
 
@@ -39,8 +38,6 @@ Exit run_synthesize(const Arguments& arguments) {
                                        ? longest_loop(finder.clip(texts[0].path), session.options())
                                        : stltsa::synthesize(pieces, session.options());
     session.add_clip(arguments.product, made.clip());
-    if (!arguments.plot.empty())
-        session.add_file(arguments.plot, synthesis_figure(arguments.product, names, made));
     session.finish({[&] { return made.json(); }, [&] { return synthesis_report(made, names); },
                     texts_of(made.warnings())});
     return Exit::done;

@@ -244,8 +244,7 @@ Facts facts_of(const stltsa::Decomposition& result) {
     return facts;
 }
 
-} // namespace
-
+/// "3 cycles, period 1.10 s", or the reason why there are none.
 std::string decomposition_summary(const stltsa::Decomposition& result) {
     const std::int64_t repetitions = result.info().count(STLTSA_INFO_REPETITION);
     std::string repeated =
@@ -267,6 +266,8 @@ std::string decomposition_summary(const stltsa::Decomposition& result) {
     const std::string reason = with_flags(result.reason());
     return reason.empty() ? "no cycle" : "no cycle; " + reason;
 }
+
+} // namespace
 
 std::string decomposition_report(const stltsa::Decomposition& result, const std::string& title) {
     const stltsa::Info info = result.info();

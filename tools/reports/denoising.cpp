@@ -27,8 +27,7 @@ std::string columns_table(const stltsa::Denoising& denoising) {
     return table.text();
 }
 
-} // namespace
-
+/// "every 3.3 samples (0.110 s), robust fit"
 std::string knots_text(const stltsa::Info& denoising) {
     const double knot_rows = denoising.real(STLTSA_INFO_KNOT_ROWS);
     std::string text = fmt::format("every {:.3g} samples", knot_rows);
@@ -38,6 +37,7 @@ std::string knots_text(const stltsa::Info& denoising) {
            (denoising.integer(STLTSA_INFO_ROBUST) != 0 ? ", robust fit" : ", plain least squares");
 }
 
+/// "12 of 422 points moved towards a smooth curve"
 std::string denoising_summary(const stltsa::Denoising& denoising) {
     const stltsa::Info info = denoising.info();
     std::int64_t moved = 0, points = 0;
@@ -54,6 +54,8 @@ std::string denoising_summary(const stltsa::Denoising& denoising) {
                              100 * share, what)
                : fmt::format("{}; the noise is {:.2g} % of the range", what, 100 * share);
 }
+
+} // namespace
 
 std::string denoising_report(const stltsa::Denoising& denoising, const std::string& title) {
     const stltsa::Info info = denoising.info();

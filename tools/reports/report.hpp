@@ -23,19 +23,6 @@ std::string decomposition_report(const stltsa::Decomposition& decomposition,
                                  const std::string& title);
 std::string decomposition_csv(const stltsa::Decomposition& decomposition);
 
-/// "3 cycles, period 1.10 s", or the reason why there are none.
-std::string decomposition_summary(const stltsa::Decomposition& decomposition);
-
-/// "528 frames, 4.40 s, from 1 piece with 3 seams"
-std::string synthesis_summary(const stltsa::Synthesis& synthesis);
-/// A piece as typed, without the folder of its clip.
-std::string piece_name(const std::string& piece);
-
-/// "12 of 422 points moved towards a smooth curve"
-std::string denoising_summary(const stltsa::Denoising& denoising);
-/// "every 3.3 samples (0.110 s), robust fit"
-std::string knots_text(const stltsa::Info& denoising);
-
 /// Facts that reports share: "90, one frame in 4, 30 per second"; "k = 41 (1.37 s), ...";
 /// "positions, 96 columns, y up".
 std::string samples_text(const stltsa::Info& result);

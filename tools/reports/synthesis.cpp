@@ -14,6 +14,11 @@
 namespace tool {
 namespace {
 
+/// A piece as typed, without the folder of its clip.
+std::string piece_name(const std::string& piece) {
+    return piece.substr(piece.find_last_of('/') + 1);
+}
+
 /// Names may be long: they are listed once, and the table has their numbers.
 class PieceNumbers {
   public:
@@ -88,12 +93,7 @@ std::string loop_text(const stltsa::Info& info) {
                        info.integer(STLTSA_INFO_IN_PLACE) != 0 ? ", both removed" : "");
 }
 
-} // namespace
-
-std::string piece_name(const std::string& piece) {
-    return piece.substr(piece.find_last_of('/') + 1);
-}
-
+/// "528 frames, 4.40 s, from 1 piece with 3 seams"
 std::string synthesis_summary(const stltsa::Synthesis& synthesis) {
     const stltsa::Clip& clip = synthesis.clip();
     return fmt::format("{}, {:.2f} s, from {} with {}", counted(clip.frames(), "frame"),
@@ -101,6 +101,8 @@ std::string synthesis_summary(const stltsa::Synthesis& synthesis) {
                        counted(synthesis.info().count(STLTSA_INFO_PIECE), "piece"),
                        counted(synthesis.info().count(STLTSA_INFO_SEAM), "seam"));
 }
+
+} // namespace
 
 std::string synthesis_report(const stltsa::Synthesis& synthesis,
                              const std::vector<std::string>& pieces) {

@@ -114,16 +114,19 @@ void OutputFiles::add(const std::string& path, std::string content) {
 
 void OutputFiles::add_written(const std::string& path, const std::string& suffix,
                               const Write& write) {
-    if (path == standard_output) { // `write` needs a name
+    const std::string place = followed(path);
+    const bool special = path != standard_output && !regular_or_new(place);
+    if (path == standard_output || (special && !ends_in(path, suffix))) { // `write` needs a name
         const TemporaryFile file = temporary_for_stdout(suffix);
         write_named(write, file.name(), stdout_name);
         std::string content = content_of(file.name());
+        if (special)
+            return add(path, std::move(content));
         // A terminal would obey codes in the names of a clip.
         return add_to_stdout(::isatty(STDOUT_FILENO) != 0 ? shown(content, false)
                                                           : std::move(content));
     }
-    const std::string place = followed(path);
-    if (!regular_or_new(place)) {
+    if (special) {
         staged_.push_back(
             {path, {}, [path, write] { write(path); }}); // not `place`: the link has the suffix
         return;

@@ -51,30 +51,22 @@ std::string hint(std::string_view word, const std::vector<std::string>& names) {
     return fmt::format("\nDid you mean {}?", *nearest);
 }
 
-std::vector<std::string> wrapped(std::string_view text,
-                                 const std::function<bool(const std::string& line)>& fits) {
-    std::vector<std::string> lines;
-    std::string line;
+std::string wrapped(std::string_view text, std::size_t columns) {
+    std::string lines, line;
     while (!text.empty()) {
         const std::size_t blank = std::min(text.find(' '), text.size());
         const std::string word(text.substr(0, blank));
         text.remove_prefix(std::min(blank + 1, text.size()));
-        const std::string longer = line.empty() ? word : line + ' ' + word;
-        if (line.empty() || fits(longer)) {
+        if (line.empty()) {
+            line = word;
+        } else if (const std::string longer = line + ' ' + word; characters(longer) <= columns) {
             line = longer;
         } else {
-            lines.push_back(line);
+            lines += line + '\n';
             line = word;
         }
     }
-    if (!line.empty())
-        lines.push_back(line);
-    return lines;
-}
-
-std::string wrapped(std::string_view text, std::size_t columns) {
-    const auto fits = [&](const std::string& line) { return characters(line) <= columns; };
-    return fmt::format("{}", fmt::join(wrapped(text, fits), "\n"));
+    return lines + line;
 }
 
 std::string csv_cell(const std::string& text) {

@@ -3,18 +3,13 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace tool {
 
-/// Breaks text at spaces into lines that fit; a word that is too long gets its own line.
-std::vector<std::string> wrapped(std::string_view text,
-                                 const std::function<bool(const std::string& line)>& fits);
-
-/// The same for a number of characters per line, as one text.
+/// Breaks text at blanks into lines; a word that is too long gets its own line.
 std::string wrapped(std::string_view text, std::size_t columns);
 
 /// A cell of a CSV file: in quotes if it needs them (RFC 4180) or would where semicolons or tabs

@@ -95,13 +95,11 @@ def test_the_wrong_object_is_named(clip, model, result):
             call()
 
 
-def test_figures_of_the_wrong_object(model, result):
+def test_figures_of_the_wrong_object(model):
     pytest.importorskip("matplotlib")
     cases = [
         (stltsa.plot.units, model, "Decomposition.*given a Model: call .*decompose\\(clip\\)"),
         (stltsa.plot.loop, "w.bvh", "given the path 'w.bvh'.*decompose\\('w.bvh'\\)"),
-        (stltsa.plot.denoising, model, "a Denoising.*given a Model: call .*denoise\\(model\\)"),
-        (stltsa.plot.denoising, result, "given a Decomposition"),
     ]
     for draw, value, text in cases:
         with pytest.raises(TypeError, match=text):

@@ -23,8 +23,4 @@ UNIT_COLORS = {
     for place, kind in enumerate(sorted(names("STLTSA_UNIT_")))
 }
 UNIT_COLORS["cycle"] = UNIT_COLORS["cyclic"]
-POINTS = "#D55E00"
-CURVE = "#0072B2"
 INK = "#222222"
-FAINT = "#767676"
-FAR_LIMB = "#A0A0A0"

@@ -528,12 +528,14 @@ class Decomposition(Described):
 
         The page has the moving skeleton or points, segments, units, cycles and repetitions over
         time, the curve and the loop, mean cycles with standard deviation, left beside right,
-        tables, and warnings. The same input gives the same bytes.
+        tables, and warnings. If the path ends in ``.svg``, a figure is written instead: the curve
+        over time with units, cycles and postures, the loop, and the cycles on 0 to 100 %. The same
+        input gives the same bytes.
 
         Parameters
         ----------
         path : path
-            The page, which is written completely or not at all.
+            The page or the figure, which is written completely or not at all.
         command : str, optional
             The command or call that makes the report again, for the page to show.
 
@@ -547,7 +549,9 @@ class Decomposition(Described):
         Examples
         --------
         >>> import stltsa
-        >>> stltsa.decompose("walker.bvh").report("walker.html")
+        >>> result = stltsa.decompose("walker.bvh")
+        >>> result.report("walker.html")
+        >>> result.report("walker.svg")
         """
         if not self.clip.fps:
             raise ValueError("a report is in seconds, and the frame rate is unknown: give fps=")

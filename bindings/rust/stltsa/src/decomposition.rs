@@ -116,7 +116,8 @@ impl Decomposition {
     }
 
     /// Writes a report of the clip that was decomposed with these options: one HTML page that a
-    /// browser shows without a network. `command`: the command or call that makes it again.
+    /// browser shows without a network or, if the path ends in `.svg`, a figure. `command`: the
+    /// command or call that makes it again.
     ///
     /// # Errors
     /// [`Io`](crate::ErrorKind::Io), [`Argument`](crate::ErrorKind::Argument) if the decomposition
