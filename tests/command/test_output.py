@@ -250,7 +250,6 @@ class StandardOutput(CommandTest):
             (".bvh", "unmap", model, y, "-o"),
             (".csv", "denoise", walk(), "-o"),
             (".csv", "denoise", walk(), "--curve-out"),
-            (".html", "decompose", walk(), "--report"),
             (".bvh", "synthesize", f"{walk()}:best", "-o"),
         ):
             with self.subTest(line):
