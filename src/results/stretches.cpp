@@ -53,13 +53,6 @@ clip::Frames named(const Decomposed& found, const std::string& name) {
 
 } // namespace
 
-const char* unit_name(std::int32_t kind) {
-    for (const auto& [value, name] : unit_kinds)
-        if (value == kind)
-            return name;
-    return "unknown";
-}
-
 std::vector<clip::Frames> find_stretches(const clip::Clip& clip, const clip::Stretch& stretch,
                                          const std::function<Decomposed()>& decomposed) {
     if (stretch.kind == Kind::range)

@@ -10,9 +10,6 @@
 
 namespace stltsa::results {
 
-/// Of a STLTSA_UNIT_*; "unknown" for others.
-const char* unit_name(std::int32_t kind);
-
 /// `decomposed` is called if it is needed. Segments of a label are given in order, all others are
 /// one stretch: of a kind of unit, the longest. Throws Status::no_such_part.
 std::vector<clip::Frames> find_stretches(const clip::Clip& clip, const clip::Stretch& stretch,

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 
+#include "base/names.hpp"
 #include "base/text.hpp"
 #include "report/curve_rows.hpp"
 #include "report/figure/panels.hpp"
 #include "results/mirror_image.hpp"
 #include "results/phased.hpp"
-#include "results/stretches.hpp"
 
 namespace stltsa::report {
 namespace {
@@ -26,7 +26,7 @@ std::string summary_of(const results::Decomposed& found) {
         if (!text.empty())
             text += "; ";
         if (found.summaries.size() > 1)
-            text += results::label_text(motion.label) + ": ";
+            text += std::string(motion.letters) + ": ";
         text += format_text("{} of {:.3f} s",
                             counted(motion.count, cyclic ? "cycle" : "repetition"), motion.mean_s);
         if (motion.count > 1)
@@ -64,10 +64,10 @@ double draw_legend(Svg& svg, const Figure& figure, double y) {
     };
     for (const stltsa_segment& segment : figure.found.segments)
         if (figure.several)
-            add(segment.label < 0 ? "rest" : "motion " + results::label_text(segment.label),
+            add(segment.label < 0 ? "rest" : "motion " + letters_of(segment.label),
                 label_color(segment.label));
-    for (const stltsa_interval& unit : figure.found.units)
-        add(std::string(results::unit_name(unit.kind)), unit_color(unit.kind));
+    for (const stltsa_unit& unit : figure.found.units)
+        add(std::string(name_of(unit_kinds, unit.kind)), unit_color(unit.kind));
     double x = left;
     for (const auto& [name, color] : entries) {
         const double taken = 30 + text_width(name, font);
@@ -128,7 +128,7 @@ std::string figure(const clip::Clip& clip, const results::Decomposed& found,
         if (drawn.several)
             note = format_text(
                 "The loop of {}, {:.1f} to {:.1f} s; every cyclic segment has its own. {}",
-                results::label_text(segment.label), segment.begin_s, segment.end_s, note);
+                letters_of(segment.label), segment.begin_s, segment.end_s, note);
         write(note, small_font, faint_ink, "normal");
     }
     return svg.document(page_width, y + 14, title);

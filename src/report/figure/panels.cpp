@@ -86,7 +86,7 @@ void draw_upward(Svg& svg, Point middle, std::string_view text) {
 }
 
 std::vector<Stretch> stretches(const Figure& figure, std::int64_t begin, std::int64_t end) {
-    const std::vector<stltsa_interval>& units = figure.found.units;
+    const std::vector<stltsa_unit>& units = figure.found.units;
     std::vector<Stretch> found;
     bool joined = false; // with the sample before
     std::size_t unit = 0;
@@ -106,8 +106,8 @@ std::vector<Stretch> stretches(const Figure& figure, std::int64_t begin, std::in
 
 void draw_cycles(Svg& svg, const Figure& figure, const Rect& area) {
     constexpr std::int64_t samples = 101, most_lines = 60;
-    std::vector<stltsa_interval> cycles = figure.found.cycles;
-    std::erase_if(cycles, [&](const stltsa_interval& cycle) {
+    std::vector<stltsa_part> cycles = figure.found.cycles;
+    std::erase_if(cycles, [&](const stltsa_part& cycle) {
         const double middle = figure.sample_of((cycle.begin + cycle.end) / 2);
         return middle < static_cast<double>(figure.begin) ||
                middle >= static_cast<double>(figure.end);
@@ -115,7 +115,7 @@ void draw_cycles(Svg& svg, const Figure& figure, const Rect& area) {
     const std::int64_t count = std::ssize(cycles), lines = std::min(count, most_lines);
     phase::Turns turns{Matrix::unset(count, samples), {}};
     for (std::int64_t i = 0; i < count; ++i) {
-        const stltsa_interval& cycle = cycles[static_cast<std::size_t>(i)];
+        const stltsa_part& cycle = cycles[static_cast<std::size_t>(i)];
         const Scale at{0, samples - 1, figure.sample_of(cycle.begin), figure.sample_of(cycle.end)};
         for (std::int64_t k = 0; k < samples; ++k)
             turns.rows(i, k) = at(static_cast<double>(k));

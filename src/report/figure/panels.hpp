@@ -17,7 +17,7 @@ struct Figure {
     const results::ClipFacts& clip;
     Matrix rows;                             ///< see curve_rows()
     std::int64_t begin = 0, end = 0;         ///< samples of the loop and of the overlaid cycles
-    const stltsa_interval* chosen = nullptr; ///< the cycle that stands out; null: none does
+    const stltsa_part* chosen = nullptr; ///< the cycle that stands out; null: none does
     bool dense = false;                      ///< too many cycles to be told apart
     bool several = false;                    ///< more than one segment moves
 

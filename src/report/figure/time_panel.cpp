@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "base/names.hpp"
 #include "base/text.hpp"
 #include "report/figure/panels.hpp"
 #include "results/phased.hpp"
-#include "results/stretches.hpp"
 
 namespace stltsa::report {
 namespace {
@@ -54,7 +54,7 @@ double TimePanel::draw_bars(double y) const {
         if (!figure.several)
             break;
         const char* const color = label_color(segment.label);
-        const std::string label = results::label_text(segment.label);
+        const std::string label = letters_of(segment.label);
         const bool once = segment.kind == STLTSA_SEGMENT_ACTION;
         const char* const what =
             segment.kind == STLTSA_SEGMENT_REPETITIONS ? "repetition" : "cycle";
@@ -64,9 +64,9 @@ double TimePanel::draw_bars(double y) const {
                   label});
     }
     y += figure.several ? row_height : 0;
-    for (const stltsa_interval& unit : figure.found.units)
+    for (const stltsa_unit& unit : figure.found.units)
         draw_bar(box(unit, y, height), fill("unit", unit_color(unit.kind)), unit_color(unit.kind),
-                 {results::unit_name(unit.kind)});
+                 {name_of(unit_kinds, unit.kind)});
     y += row_height;
     if (figure.dense || figure.found.cycles.empty())
         return y;
@@ -83,13 +83,13 @@ double TimePanel::draw_bars(double y) const {
 /// A faint band behind each unit, a darker one behind the representative cycle, and dashed lines at
 /// the borders of cycles. They end where the postures begin, so that no number lies on a line.
 void TimePanel::draw_bands() const {
-    for (const stltsa_interval& unit : figure.found.units)
+    for (const stltsa_unit& unit : figure.found.units)
         svg.rect(box(unit, frame.y, frame.height), fill("band", unit_color(unit.kind), 0.13));
     const char* const color = unit_color(STLTSA_UNIT_CYCLIC);
     std::int64_t last = -1;
     if (figure.chosen != nullptr)
         svg.rect(box(*figure.chosen, frame.y, frame.height), fill("chosen", color, 0.13));
-    for (const stltsa_interval& cycle : figure.found.cycles)
+    for (const stltsa_part& cycle : figure.found.cycles)
         for (const std::int64_t edge : {cycle.begin, cycle.end})
             if (const double x = x_of(edge); !figure.dense && edge != last) {
                 svg.line({x, value.end - air}, {x, value.start + air},
