@@ -131,6 +131,7 @@ stltsa_status stltsa_model_keep_cycle(stltsa_model* model, const stltsa_phase* p
                                       const stltsa_options* options) noexcept {
     return compute([&] {
         const capi::OptionsReader reader(options);
+        reader.progress().report(Stage::units, 0);
         results::keep_cycle(required(model, "model"), required(phase, "phase"));
     });
 }

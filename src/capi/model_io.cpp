@@ -45,6 +45,7 @@ stltsa_status stltsa_model_save(const stltsa_model* model, const char* path,
         const capi::OptionsReader reader(options);
         const std::uint64_t needed = results::archive_size(required(model, "model"));
         const Progress progress = reader.progress();
+        progress.report(Stage::write, 0);
         clip::write_file(
             &required(path, "path"),
             [&](const Sink& sink) { results::archive_model(*model, needed, sink); },

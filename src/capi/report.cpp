@@ -80,6 +80,7 @@ stltsa_status stltsa_comparison_report_save(const stltsa_comparison* comparison,
         const stltsa_comparison& of = required(comparison, "comparison");
         const capi::OptionsReader reader(options);
         const Progress progress = reader.progress();
+        progress.report(Stage::write, 0);
         const std::string page = report::comparison_page(of, capi::comparison_json(of),
                                                          command == nullptr ? "" : command);
         clip::write_file(

@@ -16,17 +16,13 @@ static void sines_have_equal_cycles(void** state) {
     const stltsa_in in = packed_in(x, rows, cols);
     stltsa_clip* clip = NULL;
     must(stltsa_clip_from_matrix(&in, fps, &clip));
-    stltsa_decomposition* d = NULL;
-    must(stltsa_decompose(clip, NULL, &d));
-    assert_true(stltsa_decomposition_cycle_count(d) >= 8);
-    for (int i = 0; i < stltsa_decomposition_cycle_count(d); ++i) {
-        stltsa_interval cycle;
-        must(stltsa_decomposition_cycle(d, i, &cycle));
+    stltsa_decomposition* d = decomposed(clip, NULL);
+    assert_true(count_of(d, STLTSA_INFO_CYCLE) >= 8);
+    for (int i = 0; i < count_of(d, STLTSA_INFO_CYCLE); ++i) {
+        const stltsa_part cycle = cycle_at(d, i);
         assert_below(fabs(cycle.end_s - cycle.begin_s - 1), 2e-4, "cycle");
     }
-    double period = 0;
-    must(stltsa_info_real(stltsa_decomposition_info(d), STLTSA_INFO_PERIOD, 0, &period));
-    assert_below(fabs(period - 1), 1e-4, "period");
+    assert_below(fabs(real_of(d, STLTSA_INFO_PERIOD) - 1), 1e-4, "period");
     stltsa_decomposition_free(d);
     stltsa_clip_free(clip);
     free(x);
@@ -48,11 +44,10 @@ static void cycles_end_with_the_clip(void** state) {
         stltsa_clip* clip = NULL;
         stltsa_decomposition* d = NULL;
         stltsa_phase* phase = NULL;
-        stltsa_interval cycle;
         must(stltsa_clip_from_matrix(&in, 120, &clip));
         must(stltsa_decompose(clip, NULL, &d));
-        assert_int_equal(stltsa_decomposition_cycle_count(d), 1);
-        must(stltsa_decomposition_cycle(d, 0, &cycle));
+        assert_int_equal(count_of(d, STLTSA_INFO_CYCLE), 1);
+        const stltsa_part cycle = cycle_at(d, 0);
         assert_int_equal(cycle.begin, 0);
         assert_int_equal(cycle.end, rows);
         assert_below(fabs(cycle.end_s - rows / 120.0), 1e-12, "end");
@@ -80,9 +75,7 @@ static stltsa_clip* noisy_cycles(void) {
                               0.1 * ((double)(seed >> 11) / 9007199254740992.0 - 0.5);
         }
     }
-    const stltsa_in in = packed_in(x, rows, cols);
-    stltsa_clip* clip = NULL;
-    must(stltsa_clip_from_matrix(&in, fps, &clip));
+    stltsa_clip* clip = matrix_clip(x, rows, cols, fps);
     free(x);
     return clip;
 }
@@ -97,7 +90,7 @@ static void all_results_have_the_same_cycles(void** state) {
     stltsa_comparison* comparison = NULL;
     must(stltsa_decompose(clip, NULL, &d));
     must(stltsa_phase_find(d, NULL, &phase));
-    const int64_t count = stltsa_decomposition_cycle_count(d), frames = stltsa_clip_frames(clip);
+    const int64_t count = count_of(d, STLTSA_INFO_CYCLE), frames = stltsa_clip_frames(clip);
     const double fps = stltsa_clip_fps(clip);
     assert_true(count > 10 && count < 50);
 
@@ -105,47 +98,39 @@ static void all_results_have_the_same_cycles(void** state) {
     for (int64_t i = 0; i < frames; ++i)
         signal[i] = (double)i;
     const stltsa_in in = packed_in(signal, frames, 1);
-    double times[50 * 11];
-    must(stltsa_cycles_resample(phase, 0, &in, 11, &cycles));
-    assert_int_equal(stltsa_cycles_count(cycles), count);
-    const stltsa_out to_times = packed_out(times, count, 11);
-    must(stltsa_cycles_times(cycles, &to_times, NULL));
+    must(stltsa_cycles_resample(phase, 0, &in, 11, NULL, &cycles));
+    assert_int_equal(count_of(cycles, STLTSA_INFO_VALUES), count);
+    double* times = array_of(cycles, STLTSA_INFO_SAMPLE_FRAMES);
     double mean = 0;
     for (int64_t i = 0; i < count; ++i) {
-        stltsa_part part = {0};
-        must(stltsa_decomposition_part(d, STLTSA_PART_CYCLE, i, &part));
+        const stltsa_part part = cycle_at(d, i);
         assert_below(fabs(times[11 * i] / fps - part.begin_s), 1e-12, "begin");
         assert_below(fabs(times[11 * i + 10] / fps - part.end_s), 1e-12, "end");
         mean += (part.end_s - part.begin_s) / (double)count;
     }
 
     stltsa_statistics statistics = {0};
-    must(stltsa_decomposition_statistics(d, STLTSA_PART_CYCLE, 0, -1, STLTSA_QUANTITY_TIME,
+    must(stltsa_decomposition_statistics(d, STLTSA_INFO_CYCLE, 0, -1, STLTSA_QUANTITY_TIME,
                                          &statistics));
-    stltsa_summary summary = {0};
-    must(stltsa_decomposition_summary(d, 0, &summary));
-    must(stltsa_compare(phase, 0, phase, 0, 101, &comparison));
-    stltsa_compared_cycles compared = {.size = sizeof compared};
-    must(stltsa_comparison_cycles(comparison, &compared));
+    const stltsa_summary summary = summary_at(d, 0);
+    must(stltsa_compare(phase, 0, phase, 0, 101, NULL, &comparison));
+    const stltsa_compared compared = compared_of(comparison);
+    const stltsa_compared_motion first = motion_at(comparison, 0);
     assert_int_equal(statistics.count, count);
     assert_int_equal(summary.count, count);
-    assert_int_equal(compared.first_count, count);
+    assert_int_equal(first.cycles, count);
     assert_below(fabs(statistics.mean - mean), 1e-12, "mean of the statistics");
-    assert_below(fabs(summary.mean_s - mean), 1e-12, "mean of the summary");
-    assert_below(fabs(compared.cycle_time.first - mean), 1e-12, "mean of the comparison");
-    assert_below(fabs(compared.cycle_time.first_sd - statistics.sd), 1e-12, "SD");
-    assert_below(fabs(summary.per_minute - 60 / mean), 1e-9, "per minute");
-    assert_below(fabs(compared.first_per_minute - 60 / mean), 1e-9, "per minute");
+    assert_below(fabs(summary.cycle_time_s.mean - mean), 1e-12, "mean of the summary");
+    assert_below(fabs(compared.cycle_time_s.first - mean), 1e-12, "mean of the comparison");
+    assert_below(fabs(compared.cycle_time_s.first_sd - statistics.sd), 1e-12, "SD");
+    assert_below(fabs(summary.cycles_per_min - 60 / mean), 1e-9, "per minute");
+    assert_below(fabs(first.cycles_per_min - 60 / mean), 1e-9, "per minute");
 
     /* Frames of cycle k have index k, and phases from about 0 to about 1. */
-    double* values = new_matrix(frames, 1);
-    int64_t* index = malloc((size_t)frames * sizeof *index);
-    const stltsa_out to_values = packed_out(values, frames, 1),
-                     to_index = {index, frames, 1, 0, 0, STLTSA_I64, 0};
-    must(stltsa_phase_values(phase, &to_values, NULL, &to_index));
+    double* values = array_of(phase, STLTSA_INFO_PHASE);
+    int64_t* index = whole_of(phase, STLTSA_INFO_PHASE_CYCLE);
     for (int64_t i = 0; i < count; ++i) {
-        stltsa_part part = {0};
-        must(stltsa_decomposition_part(d, STLTSA_PART_CYCLE, i, &part));
+        const stltsa_part part = cycle_at(d, i);
         for (int64_t f = part.begin; f < part.end; ++f) {
             assert_int_equal(index[f], i);
             const double time = ((double)f / fps - part.begin_s) / (part.end_s - part.begin_s);
@@ -158,11 +143,10 @@ static void all_results_have_the_same_cycles(void** state) {
     stltsa_events* events = NULL;
     const double mark = floor(times[11 * 3 + 5]);
     const stltsa_in marks = packed_in(&mark, 1, 1);
-    must(stltsa_events_find(phase, &marks, NULL, &events));
+    must(stltsa_events_find(phase, &marks, NULL, NULL, &events));
     int64_t with_cycle = 0;
-    for (int64_t i = 0; i < stltsa_events_count(events); ++i) {
-        stltsa_event event = {.size = sizeof event};
-        must(stltsa_events_event(events, i, &event));
+    for (int64_t i = 0; i < count_of(events, STLTSA_INFO_EVENT); ++i) {
+        const stltsa_event event = event_at(events, i);
         if (event.cycle < 0)
             continue;
         ++with_cycle;
@@ -177,6 +161,7 @@ static void all_results_have_the_same_cycles(void** state) {
     stltsa_phase_free(phase);
     stltsa_decomposition_free(d);
     stltsa_clip_free(clip);
+    free(times);
     free(index);
     free(values);
     free(signal);
@@ -199,12 +184,10 @@ static void the_phase_is_found_once(void** state) {
     left = 0;
     must(stltsa_phase_find(d, options, &other)); /* nothing is left to do */
     stltsa_decomposition_free(d);
-    double first = 0, second = 1;
-    must(stltsa_phase_zero(one, 0, &first));
+    const double first = real_of(one, STLTSA_INFO_PHASE_ZERO);
     stltsa_phase_free(one);
-    must(stltsa_phase_zero(other, 0, &second));
-    assert_true(first == second && first >= 0 && first < 1);
-    assert_int_equal(stltsa_phase_zero(other, 9, &second), STLTSA_E_ARGUMENT);
+    assert_true(first == real_of(other, STLTSA_INFO_PHASE_ZERO) && first >= 0 && first < 1);
+    assert_int_equal(count_of(other, STLTSA_INFO_PHASE_ZERO), 1);
     stltsa_phase_free(other);
     stltsa_options_free(options);
     stltsa_clip_free(clip);

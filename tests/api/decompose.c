@@ -5,53 +5,21 @@
 /* The walker's default settings, see tests/walker/README.md. */
 static const double true_period = 1.1;
 static const double true_ends[] = {1.0, 1.8928494573520722, 5.1928494573520725, 6.027};
-static const char* walker_path;
-
-static stltsa_clip* opened(void) {
-    stltsa_clip* clip = NULL;
-    must(stltsa_clip_open(walker_path, NULL, &clip));
-    return clip;
-}
-
-static stltsa_decomposition* decomposed(const stltsa_clip* clip, const stltsa_options* options) {
-    stltsa_decomposition* units = NULL;
-    must(stltsa_decompose(clip, options, &units));
-    return units;
-}
-
-static stltsa_interval unit(const stltsa_decomposition* d, int64_t index) {
-    stltsa_interval interval;
-    must(stltsa_decomposition_unit(d, index, &interval));
-    return interval;
-}
-
-static int64_t get_int(const stltsa_decomposition* d, int32_t key) {
-    int64_t value = -99;
-    must(stltsa_info_int(stltsa_decomposition_info(d), key, 0, &value));
-    return value;
-}
-
-static double get_real(const stltsa_decomposition* d, int32_t key) {
-    double value = NAN;
-    must(stltsa_info_real(stltsa_decomposition_info(d), key, 0, &value));
-    return value;
-}
-
 static void five_units_in_order(void** state) {
     (void)state;
     stltsa_clip* clip = opened();
     stltsa_decomposition* d = decomposed(clip, NULL);
-    assert_int_equal(stltsa_decomposition_unit_count(d), 5);
+    assert_int_equal(count_of(d, STLTSA_INFO_UNIT), 5);
     for (int i = 0; i < 5; ++i) {
-        const stltsa_interval u = unit(d, i);
+        const stltsa_unit u = unit_at(d, i);
         assert_int_equal(u.kind, STLTSA_UNIT_PREPARING + i);
         if (i < 4)
             assert_below(fabs(u.end_s - true_ends[i]), 0.1, "border");
-        assert_int_equal(u.begin, i == 0 ? 0 : unit(d, i - 1).end);
+        assert_int_equal(u.begin, i == 0 ? 0 : unit_at(d, i - 1).end);
         assert_below(fabs(u.begin_s * stltsa_clip_fps(clip) - (double)u.begin), 0.51, "begin_s");
     }
-    assert_int_equal(unit(d, 4).end, stltsa_clip_frames(clip));
-    assert_string_equal(stltsa_decomposition_reason(d), "");
+    assert_int_equal(unit_at(d, 4).end, stltsa_clip_frames(clip));
+    assert_string_equal(text_of(d, STLTSA_INFO_REASON), "");
     stltsa_decomposition_free(d);
     stltsa_clip_free(clip);
 }
@@ -60,24 +28,17 @@ static void three_cycles_back_to_back(void** state) {
     (void)state;
     stltsa_clip* clip = opened();
     stltsa_decomposition* d = decomposed(clip, NULL);
-    assert_int_equal(stltsa_decomposition_cycle_count(d), 3);
+    assert_int_equal(count_of(d, STLTSA_INFO_CYCLE), 3);
     for (int i = 0; i < 3; ++i) {
-        stltsa_interval cycle, before;
-        must(stltsa_decomposition_cycle(d, i, &cycle));
-        assert_int_equal(cycle.kind, STLTSA_UNIT_CYCLE);
+        const stltsa_part cycle = cycle_at(d, i);
         assert_below(fabs(cycle.end_s - cycle.begin_s - true_period), 1e-3, "cycle");
-        if (i > 0) {
-            must(stltsa_decomposition_cycle(d, i - 1, &before));
-            assert_int_equal(cycle.begin, before.end);
-        }
+        if (i > 0)
+            assert_int_equal(cycle.begin, cycle_at(d, i - 1).end);
     }
-    assert_below(fabs(get_real(d, STLTSA_INFO_PERIOD) / true_period - 1), 1e-3, "period");
-    assert_true(get_real(d, STLTSA_INFO_CYCLICITY) > 0.9);
-    assert_in_range(get_int(d, STLTSA_INFO_REPRESENTATIVE), 0, 2);
-    assert_in_range(get_int(d, STLTSA_INFO_BEST), 0, 2);
-    stltsa_interval none;
-    assert_int_equal(stltsa_decomposition_cycle(d, 3, &none), STLTSA_E_ARGUMENT);
-    assert_int_equal(stltsa_decomposition_unit(d, -1, &none), STLTSA_E_ARGUMENT);
+    assert_below(fabs(real_of(d, STLTSA_INFO_PERIOD) / true_period - 1), 1e-3, "period");
+    assert_true(real_of(d, STLTSA_INFO_CYCLICITY) > 0.9);
+    assert_in_range(int_of(d, STLTSA_INFO_REPRESENTATIVE), 0, 2);
+    assert_in_range(int_of(d, STLTSA_INFO_BEST), 0, 2);
     stltsa_decomposition_free(d);
     stltsa_clip_free(clip);
 }
@@ -89,15 +50,12 @@ static void postures_differ(void** state) {
     stltsa_decomposition* d = decomposed(clip, NULL);
     const stltsa_info* info = stltsa_decomposition_info(d);
     assert_in_range(stltsa_info_count(info, STLTSA_INFO_POSTURES), 13, 24);
-    const int64_t frames = stltsa_clip_frames(clip), cols = 4 * stltsa_clip_joints(clip);
-    double* angles = new_matrix(frames, cols);
-    const stltsa_out out = packed_out(angles, frames, cols);
-    must(stltsa_clip_rotations(clip, &out));
+    const int64_t frames = stltsa_clip_frames(clip), cols = 4 * count_of(clip, STLTSA_INFO_JOINT);
+    double* angles = array_of(clip, STLTSA_INFO_ROTATIONS);
     for (int i = 0; i < 8; ++i)
         for (int j = 0; j < i; ++j) {
-            int64_t a = -1, b = -1;
-            must(stltsa_info_int(info, STLTSA_INFO_POSTURES, i, &a));
-            must(stltsa_info_int(info, STLTSA_INFO_POSTURES, j, &b));
+            const int64_t a = get_int(info, STLTSA_INFO_POSTURES, i),
+                          b = get_int(info, STLTSA_INFO_POSTURES, j);
             assert_in_range(a, 0, frames - 1);
             double squares = 0;
             for (int64_t c = 0; c < cols; ++c)
@@ -109,40 +67,22 @@ static void postures_differ(void** state) {
     stltsa_clip_free(clip);
 }
 
-static double* new_curve(const stltsa_decomposition* d, int64_t* count) {
-    *count = get_int(d, STLTSA_INFO_ROWS);
-    double* curve = new_matrix(*count, 1);
-    const stltsa_out out = packed_out(curve, *count, 1);
-    must(stltsa_decomposition_curve(d, &out));
-    return curve;
-}
-
-/* The second coordinate is a quarter of a cycle behind: the two go round, and so does the loop. */
+/* The second coordinate is a quarter of a cycle behind: the two go round. */
 static void the_first_coordinate_is_the_curve(void** state) {
     (void)state;
     stltsa_clip* clip = opened();
     stltsa_decomposition* d = decomposed(clip, NULL);
-    int64_t count = 0;
-    double* curve = new_curve(d, &count);
-    double* coords = new_matrix(count, 2);
-    double* loop = new_matrix(count, 2);
-    const stltsa_out out = packed_out(coords, count, 2), of_loop = packed_out(loop, count, 2);
-    must(stltsa_decomposition_coords(d, &out));
-    must(stltsa_decomposition_loop(d, &of_loop));
+    const int64_t count = int_of(d, STLTSA_INFO_ROWS);
+    double *curve = array_of(d, STLTSA_INFO_CURVE), *coords = array_of(d, STLTSA_INFO_COORDS);
     double square = 0, both = 0, second = 0;
     for (int64_t i = 0; i < count; ++i) {
         assert_true(coords[2 * i] == curve[i]);
-        assert_true(loop[2 * i] == coords[2 * i] && loop[2 * i + 1] == coords[2 * i + 1]);
         square += curve[i] * curve[i];
         second += coords[2 * i + 1] * coords[2 * i + 1];
         both += curve[i] * coords[2 * i + 1];
     }
     assert_true(square > 0 && second > 0.2 * square);
     assert_below(fabs(both), 0.3 * sqrt(square * second), "correlation of the two");
-    const stltsa_out wide = packed_out(coords, count - 1, 2);
-    assert_int_equal(stltsa_decomposition_coords(d, &wide), STLTSA_E_SHAPE);
-    assert_int_equal(stltsa_decomposition_coords(NULL, &out), STLTSA_E_ARGUMENT);
-    free(loop);
     free(coords);
     free(curve);
     stltsa_decomposition_free(d);
@@ -154,17 +94,12 @@ static void coordinates_of_a_clip_at_rest_are_zero(void** state) {
     (void)state;
     enum { rows = 90, cols = 4 };
     double* x = new_matrix(rows, cols);
-    const stltsa_in in = packed_in(x, rows, cols);
-    stltsa_clip* clip = NULL;
-    must(stltsa_clip_from_matrix(&in, 30, &clip));
+    stltsa_clip* clip = matrix_clip(x, rows, cols, 30);
     stltsa_decomposition* d = decomposed(clip, NULL);
-    assert_int_equal(get_int(d, STLTSA_INFO_COORDINATE), 0);
-    const int64_t width = 2, count = get_int(d, STLTSA_INFO_ROWS);
-    double* coords = new_matrix(count, width);
-    coords[0] = coords[count * width - 1] = 7;
-    const stltsa_out out = packed_out(coords, count, width);
-    must(stltsa_decomposition_coords(d, &out));
-    for (int64_t i = 0; i < count * width; ++i)
+    assert_int_equal(int_of(d, STLTSA_INFO_COORDINATE), 0);
+    const int64_t count = 2 * int_of(d, STLTSA_INFO_ROWS);
+    double* coords = array_of(d, STLTSA_INFO_COORDS);
+    for (int64_t i = 0; i < count; ++i)
         assert_true(coords[i] == 0);
     free(coords);
     free(x);
@@ -178,11 +113,10 @@ static void threads_change_no_bit(void** state) {
     double* curves[2];
     int64_t count = 0;
     for (int t = 0; t < 2; ++t) {
-        stltsa_options* options = NULL;
-        must(stltsa_options_new(&options));
-        must(stltsa_options_set_int(options, STLTSA_OPT_THREADS, t + 1));
+        stltsa_options* options = with_int(STLTSA_OPT_THREADS, t + 1);
         stltsa_decomposition* d = decomposed(clip, options);
-        curves[t] = new_curve(d, &count);
+        curves[t] = array_of(d, STLTSA_INFO_CURVE);
+        count = int_of(d, STLTSA_INFO_ROWS);
         stltsa_decomposition_free(d);
         stltsa_options_free(options);
     }
@@ -198,28 +132,23 @@ static void shift_and_order_of_channels_change_no_unit(void** state) {
     stltsa_clip* clip = opened();
     const int64_t rows = stltsa_clip_frames(clip);
     int64_t cols = 0;
-    must(stltsa_clip_feature_count(clip, NULL, &cols));
-    double* x = new_matrix(rows, cols);
+    double* x = new_features(clip, NULL, &cols);
     double* y = new_matrix(rows, cols);
-    const stltsa_out out = packed_out(x, rows, cols);
-    must(stltsa_clip_features(clip, NULL, &out));
     for (int64_t i = 0; i < rows; ++i)
         for (int64_t c = 0; c < cols; ++c)
             y[i * cols + c] = x[i * cols + cols - 1 - c] + 64;
     stltsa_decomposition* d[2];
     const double* inputs[] = {x, y};
     for (int v = 0; v < 2; ++v) {
-        const stltsa_in in = packed_in(inputs[v], rows, cols);
-        stltsa_clip* bare = NULL;
-        must(stltsa_clip_from_matrix(&in, stltsa_clip_fps(clip), &bare));
+        stltsa_clip* bare = matrix_clip(inputs[v], rows, cols, stltsa_clip_fps(clip));
         d[v] = decomposed(bare, NULL);
         stltsa_clip_free(bare);
     }
-    assert_int_equal(stltsa_decomposition_unit_count(d[0]), 5);
-    assert_int_equal(stltsa_decomposition_unit_count(d[1]), 5);
+    assert_int_equal(count_of(d[0], STLTSA_INFO_UNIT), 5);
+    assert_int_equal(count_of(d[1], STLTSA_INFO_UNIT), 5);
     for (int i = 0; i < 5; ++i) {
-        assert_int_equal(unit(d[0], i).kind, unit(d[1], i).kind);
-        assert_int_equal(unit(d[0], i).end, unit(d[1], i).end);
+        assert_int_equal(unit_at(d[0], i).kind, unit_at(d[1], i).kind);
+        assert_int_equal(unit_at(d[0], i).end, unit_at(d[1], i).end);
     }
     stltsa_decomposition_free(d[0]);
     stltsa_decomposition_free(d[1]);
@@ -235,18 +164,16 @@ static void noise_has_no_cycle_but_a_reason(void** state) {
     uint64_t seed = 5;
     for (int i = 0; i < rows * cols; ++i)
         x[i] = uniform(&seed);
-    const stltsa_in in = packed_in(x, rows, cols);
-    stltsa_clip* clip = NULL;
-    must(stltsa_clip_from_matrix(&in, 30, &clip));
+    stltsa_clip* clip = matrix_clip(x, rows, cols, 30);
     stltsa_decomposition* d = decomposed(clip, NULL);
-    assert_int_equal(stltsa_decomposition_cycle_count(d), 0);
-    assert_true(strlen(stltsa_decomposition_reason(d)) > 20);
-    assert_int_equal(get_int(d, STLTSA_INFO_REPRESENTATIVE), -1);
-    assert_true(get_real(d, STLTSA_INFO_PERIOD) == 0);
-    assert_int_equal(unit(d, 0).begin, 0);
-    assert_int_equal(unit(d, stltsa_decomposition_unit_count(d) - 1).end, rows);
-    for (int64_t i = 0; i < stltsa_decomposition_unit_count(d); ++i)
-        assert_int_not_equal(unit(d, i).kind, STLTSA_UNIT_CYCLIC);
+    assert_int_equal(count_of(d, STLTSA_INFO_CYCLE), 0);
+    assert_true(strlen(text_of(d, STLTSA_INFO_REASON)) > 20);
+    assert_int_equal(int_of(d, STLTSA_INFO_REPRESENTATIVE), -1);
+    assert_true(real_of(d, STLTSA_INFO_PERIOD) == 0);
+    assert_int_equal(unit_at(d, 0).begin, 0);
+    assert_int_equal(unit_at(d, count_of(d, STLTSA_INFO_UNIT) - 1).end, rows);
+    for (int64_t i = 0; i < count_of(d, STLTSA_INFO_UNIT); ++i)
+        assert_int_not_equal(unit_at(d, i).kind, STLTSA_UNIT_CYCLIC);
     stltsa_decomposition_free(d);
     stltsa_clip_free(clip);
     free(x);
@@ -262,11 +189,9 @@ static void one_blow_along_a_line(void** state) {
         x[2 * i] = exp(-25 * (t - 2) * (t - 2));
         x[2 * i + 1] = 2 * x[2 * i] + 0.01 * t;
     }
-    const stltsa_in in = packed_in(x, rows, 2);
-    stltsa_clip* clip = NULL;
-    must(stltsa_clip_from_matrix(&in, 100, &clip));
+    stltsa_clip* clip = matrix_clip(x, rows, 2, 100);
     stltsa_decomposition* d = decomposed(clip, NULL);
-    assert_int_equal(stltsa_decomposition_cycle_count(d), 0);
+    assert_int_equal(count_of(d, STLTSA_INFO_CYCLE), 0);
     stltsa_decomposition_free(d);
     stltsa_clip_free(clip);
     free(x);
@@ -276,12 +201,8 @@ static void one_blow_along_a_line(void** state) {
 static void a_cut_is_no_standing(void** state) {
     (void)state;
     stltsa_clip* walk = opened();
-    const int64_t rows = stltsa_clip_frames(walk);
     int64_t cols = 0;
-    must(stltsa_clip_feature_count(walk, NULL, &cols));
-    double* x = new_matrix(rows, cols);
-    const stltsa_out out = packed_out(x, rows, cols);
-    must(stltsa_clip_features(walk, NULL, &out));
+    double* x = new_features(walk, NULL, &cols);
     const double fps = stltsa_clip_fps(walk);
     const int64_t first = (int64_t)(true_ends[1] * fps), last = (int64_t)(true_ends[2] * fps);
     for (int64_t cut = 0; cut < (int64_t)(true_period * fps); cut += 4) {
@@ -290,9 +211,9 @@ static void a_cut_is_no_standing(void** state) {
         stltsa_clip* clip = NULL;
         must(stltsa_clip_from_matrix(&in, fps, &clip));
         stltsa_decomposition* d = decomposed(clip, NULL);
-        for (int64_t i = 0; i < stltsa_decomposition_unit_count(d); ++i)
-            assert_true(unit(d, i).kind != STLTSA_UNIT_PREPARING &&
-                        unit(d, i).kind != STLTSA_UNIT_WIND_UP);
+        for (int64_t i = 0; i < count_of(d, STLTSA_INFO_UNIT); ++i)
+            assert_true(unit_at(d, i).kind != STLTSA_UNIT_PREPARING &&
+                        unit_at(d, i).kind != STLTSA_UNIT_WIND_UP);
         stltsa_decomposition_free(d);
         stltsa_clip_free(clip);
     }
@@ -314,8 +235,7 @@ static int32_t stop_after(void* user, int32_t stage, double fraction) {
 static void cancelled_at_every_call(void** state) {
     (void)state;
     stltsa_clip* clip = opened();
-    stltsa_options* options = NULL;
-    must(stltsa_options_new(&options));
+    stltsa_options* options = empty_options();
     stltsa_status status = STLTSA_E_CANCELLED;
     struct stop stop = {0, 0};
     must(stltsa_options_set_progress(options, stop_after, &stop));
@@ -359,20 +279,14 @@ static void progress_never_goes_back(void** state) {
     assert_int_equal(decomposing.stage, STLTSA_STAGE_UNITS);
     assert_true(decomposing.fraction == 1 && decomposing.calls > 10);
     stltsa_decomposition_free(d);
+    must(stltsa_options_set_int(options, STLTSA_OPT_INTRINSIC, 1));
     for (int32_t mode = STLTSA_MODE_TEMPORAL; mode <= STLTSA_MODE_RECURRENT; ++mode) {
-        struct way way[2] = {{0}};
-        stltsa_model* model = NULL;
-        stltsa_dimension* dimension = NULL;
+        struct way way = {0};
         must(stltsa_options_set_int(options, STLTSA_OPT_MODE, mode));
-        must(stltsa_options_set_progress(options, only_forward, &way[0]));
-        must(stltsa_fit_clip(clip, options, &model));
-        assert_int_equal(way[0].stage, STLTSA_STAGE_SPECTRUM);
-        must(stltsa_options_set_progress(options, only_forward, &way[1]));
-        must(stltsa_estimate_dimension_clip(clip, options, &dimension));
-        for (int i = 0; i < 2; ++i)
-            assert_true(way[i].fraction == 1 && way[i].calls > 10);
-        stltsa_dimension_free(dimension);
-        stltsa_model_free(model);
+        must(stltsa_options_set_progress(options, only_forward, &way));
+        stltsa_model_free(fitted_clip(clip, options));
+        assert_int_equal(way.stage, STLTSA_STAGE_SPECTRUM);
+        assert_true(way.fraction == 1 && way.calls > 10);
     }
     stltsa_options_free(options);
     stltsa_clip_free(clip);
@@ -387,11 +301,10 @@ static int32_t stop_in_search(void* user, int32_t stage, double fraction) {
 static void the_search_for_the_period_can_be_cancelled(void** state) {
     (void)state;
     stltsa_clip* clip = opened();
-    stltsa_options* options = NULL;
+    const stltsa_clip* const clips[] = {clip};
+    stltsa_options* options = with_progress(stop_in_search, NULL);
     stltsa_model* model = NULL;
-    must(stltsa_options_new(&options));
-    must(stltsa_options_set_progress(options, stop_in_search, NULL));
-    assert_int_equal(stltsa_fit_clip(clip, options, &model), STLTSA_E_CANCELLED);
+    assert_int_equal(stltsa_fit_clips(clips, 1, options, &model), STLTSA_E_CANCELLED);
     stltsa_options_free(options);
     stltsa_clip_free(clip);
 }
@@ -400,21 +313,10 @@ static void wrong_arguments(void** state) {
     (void)state;
     stltsa_clip* clip = opened();
     stltsa_decomposition* d = decomposed(clip, NULL);
-    double two[2], share = 7;
-    const stltsa_out small = packed_out(two, 2, 1);
     stltsa_decomposition* none = d;
     assert_int_equal(stltsa_decompose(NULL, NULL, &none), STLTSA_E_ARGUMENT);
     assert_null(none);
     assert_int_equal(stltsa_decompose(clip, NULL, NULL), STLTSA_E_ARGUMENT);
-    assert_int_equal(stltsa_decomposition_curve(d, &small), STLTSA_E_SHAPE);
-    assert_int_equal(stltsa_decomposition_loop(d, NULL), STLTSA_E_ARGUMENT);
-    assert_string_equal(stltsa_decomposition_warning(d, 1000), "");
-    assert_int_equal(stltsa_decomposition_unit_count(NULL), 0);
-    assert_int_equal(stltsa_decomposition_first_step(NULL, 0, &share, NULL), STLTSA_E_ARGUMENT);
-    assert_int_equal(stltsa_decomposition_first_step(d, 1000, &share, NULL), STLTSA_E_ARGUMENT);
-    assert_true(share == 7);
-    assert_string_equal(stltsa_decomposition_steps_reason(d, 1000), "");
-    assert_int_equal(stltsa_decomposition_side(NULL, 0), STLTSA_SIDE_NONE);
     stltsa_decomposition_free(NULL);
     stltsa_decomposition_free(d);
     stltsa_clip_free(clip);
@@ -425,20 +327,17 @@ static void options_that_leave_nothing(void** state) {
     (void)state;
     stltsa_clip* clip = opened();
     stltsa_decomposition* d = NULL;
-    stltsa_options* options = NULL;
-    must(stltsa_options_new(&options));
-    must(stltsa_options_set_real(options, STLTSA_OPT_PERIOD_MIN, 3));
+    stltsa_options* options = with(STLTSA_OPT_PERIOD_MIN, 3);
     must(stltsa_options_set_real(options, STLTSA_OPT_PERIOD_MAX, 1));
-    assert_int_equal(stltsa_decompose(clip, options, &d), STLTSA_E_ARGUMENT);
-    assert_non_null(strstr(stltsa_last_error(), "period_min is 3 s"));
+    must_fail(stltsa_decompose(clip, options, &d), STLTSA_E_ARGUMENT, "period_min is 3 s");
     stltsa_options_free(options);
     stltsa_clip_free(clip);
 
     must(stltsa_options_new(&options));
     must(stltsa_options_set_real(options, STLTSA_OPT_FPS, 100000));
     must(stltsa_clip_open(walker_path, options, &clip));
-    assert_int_equal(stltsa_decompose(clip, NULL, &d), STLTSA_E_TOO_FEW_FRAMES);
-    assert_non_null(strstr(stltsa_last_error(), "at 100000 a second one in 844 is kept"));
+    must_fail(stltsa_decompose(clip, NULL, &d), STLTSA_E_TOO_FEW_FRAMES,
+              "at 100000 a second one in 844 is kept");
     stltsa_options_free(options);
     stltsa_clip_free(clip);
 }
@@ -452,21 +351,20 @@ static void no_unit_is_empty(void** state) {
         double x[rows] = {0};
         for (int i = 1; i < rows; ++i)
             x[i] = x[i - 1] + (uniform(&random) - 0.5);
-        const stltsa_in in = packed_in(x, rows, 1);
-        stltsa_clip* clip = NULL;
-        must(stltsa_clip_from_matrix(&in, 3, &clip));
+        stltsa_clip* clip = matrix_clip(x, rows, 1, 3);
         stltsa_decomposition* d = decomposed(clip, NULL);
-        const int64_t units = stltsa_decomposition_unit_count(d);
+        const int64_t units = count_of(d, STLTSA_INFO_UNIT);
         for (int64_t i = 0; i < units; ++i) {
-            const stltsa_interval u = unit(d, i);
+            const stltsa_unit u = unit_at(d, i);
             assert_true(u.begin < u.end && u.begin_s < u.end_s);
-            assert_int_equal(u.begin, i == 0 ? 0 : unit(d, i - 1).end);
+            assert_int_equal(u.begin, i == 0 ? 0 : unit_at(d, i - 1).end);
             if (i > 0) {
-                assert_true(u.begin_s == unit(d, i - 1).end_s);
-                assert_true(u.kind != unit(d, i - 1).kind || u.segment != unit(d, i - 1).segment);
+                assert_true(u.begin_s == unit_at(d, i - 1).end_s);
+                assert_true(u.kind != unit_at(d, i - 1).kind ||
+                            u.segment != unit_at(d, i - 1).segment);
             }
         }
-        assert_int_equal(unit(d, units - 1).end, rows);
+        assert_int_equal(unit_at(d, units - 1).end, rows);
         stltsa_decomposition_free(d);
         stltsa_clip_free(clip);
     }
@@ -491,10 +389,5 @@ int main(int argc, char** argv) {
         cmocka_unit_test(options_that_leave_nothing),
         cmocka_unit_test(no_unit_is_empty),
     };
-    if (argc < 2) {
-        fprintf(stderr, "usage: unit_decompose WALKER.bvh\n");
-        return 2;
-    }
-    walker_path = argv[1];
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_on_walker(tests, argc, argv);
 }

@@ -21,48 +21,27 @@ static stltsa_denoising* denoised(const double* y, const stltsa_options* options
     return denoising;
 }
 
-typedef stltsa_status table(const stltsa_denoising*, const stltsa_out*);
-
-static double* new_table(const stltsa_denoising* denoising, table* fill, int64_t r, int64_t c) {
-    double* values = new_matrix(r, c);
-    const stltsa_out out = packed_out(values, r, c);
-    must(fill(denoising, &out));
-    return values;
-}
-
-static double real_of(const stltsa_denoising* denoising, int32_t key, int64_t column) {
-    double value = -1;
-    must(stltsa_info_real(stltsa_denoising_info(denoising), key, column, &value));
-    return value;
-}
-
-static int64_t int_of(const stltsa_denoising* denoising, int32_t key, int64_t column) {
-    int64_t value = -1;
-    must(stltsa_info_int(stltsa_denoising_info(denoising), key, column, &value));
-    return value;
-}
-
 static void cleaned_is_points_and_moves(void** state) {
     (void)state;
     double* y = new_noisy();
     stltsa_denoising* d = denoised(y, NULL);
-    assert_int_equal(int_of(d, STLTSA_INFO_ROWS, 0), rows);
-    assert_int_equal(int_of(d, STLTSA_INFO_COLUMNS, 0), cols);
-    double* curve = new_table(d, stltsa_denoising_curve, rows, cols);
-    double* cleaned = new_table(d, stltsa_denoising_cleaned, rows, cols);
-    double* moves = new_table(d, stltsa_denoising_moves, rows, cols);
+    assert_int_equal(int_of(d, STLTSA_INFO_ROWS), rows);
+    assert_int_equal(count_of(d, STLTSA_INFO_COLUMN), cols);
+    double* curve = array_of(d, STLTSA_INFO_CURVE);
+    double* cleaned = array_of(d, STLTSA_INFO_CLEANED);
+    double* moves = array_of(d, STLTSA_INFO_MOVES);
     for (int64_t c = 0; c < cols; ++c) {
-        const double gamma = real_of(d, STLTSA_INFO_GAMMA, c);
-        assert_true(gamma == real_of(d, STLTSA_INFO_NOISE, c));
-        assert_true(real_of(d, STLTSA_INFO_SHIFT, c) > gamma);
-        assert_true(real_of(d, STLTSA_INFO_DEGREES_OF_FREEDOM, c) > 2);
+        const stltsa_denoised_column column = column_at(d, c);
+        assert_true(column.gamma == column.noise);
+        assert_true(column.shift > column.gamma);
+        assert_true(column.degrees_of_freedom > 2);
         int64_t moved = 0;
         for (int64_t i = c; i < rows * cols; i += cols) {
-            assert_int_equal(moves[i] != 0, fabs(y[i] - curve[i]) > gamma);
+            assert_int_equal(moves[i] != 0, fabs(y[i] - curve[i]) > column.gamma);
             assert_below(fabs(y[i] + moves[i] - cleaned[i]), 1e-14, "y + moves - cleaned");
             moved += moves[i] != 0;
         }
-        assert_int_equal(int_of(d, STLTSA_INFO_MOVED, c), moved);
+        assert_int_equal(column.moved, moved);
     }
     free(curve);
     free(cleaned);
@@ -77,15 +56,15 @@ static void scale_and_repetition_change_no_bit(void** state) {
     double* y = new_noisy();
     stltsa_denoising* one = denoised(y, NULL);
     stltsa_denoising* again = denoised(y, NULL);
-    double* curve = new_table(one, stltsa_denoising_curve, rows, cols);
-    double* same = new_table(again, stltsa_denoising_curve, rows, cols);
+    double* curve = array_of(one, STLTSA_INFO_CURVE);
+    double* same = array_of(again, STLTSA_INFO_CURVE);
     assert_same_bits(curve, same, rows * cols);
     for (int64_t i = 0; i < rows * cols; ++i) {
         y[i] *= 0x1p+300;
         curve[i] *= 0x1p+300;
     }
     stltsa_denoising* large = denoised(y, NULL);
-    double* twice = new_table(large, stltsa_denoising_curve, rows, cols);
+    double* twice = array_of(large, STLTSA_INFO_CURVE);
     assert_same_bits(curve, twice, rows * cols);
     free(curve);
     free(same);
@@ -99,13 +78,11 @@ static void scale_and_repetition_change_no_bit(void** state) {
 static void options_are_used(void** state) {
     (void)state;
     double* y = new_noisy();
-    stltsa_options* options = NULL;
-    must(stltsa_options_new(&options));
-    must(stltsa_options_set_real(options, STLTSA_OPT_GAMMA, 1e9));
+    stltsa_options* options = with(STLTSA_OPT_GAMMA, 1e9);
     stltsa_denoising* d = denoised(y, options);
-    assert_true(real_of(d, STLTSA_INFO_GAMMA, 0) == 1e9);
-    assert_int_equal(int_of(d, STLTSA_INFO_MOVED, 0), 0);
-    double* cleaned = new_table(d, stltsa_denoising_cleaned, rows, cols);
+    assert_true(column_at(d, 0).gamma == 1e9);
+    assert_int_equal(column_at(d, 0).moved, 0);
+    double* cleaned = array_of(d, STLTSA_INFO_CLEANED);
     assert_same_bits(cleaned, y, rows * cols);
     free(cleaned);
     stltsa_denoising_free(d);
@@ -114,17 +91,12 @@ static void options_are_used(void** state) {
     must(stltsa_options_set_real(options, STLTSA_OPT_FPS, 30));
     must(stltsa_options_set_real(options, STLTSA_OPT_KNOT_SPACING, 2));
     d = denoised(y, options);
-    assert_true(real_of(d, STLTSA_INFO_DEGREES_OF_FREEDOM, 0) < 6);
+    assert_true(column_at(d, 0).degrees_of_freedom < 6);
     stltsa_denoising_free(d);
 
     must(stltsa_options_unset(options, STLTSA_OPT_KNOT_SPACING));
     d = denoised(y, options);
-    char* json = NULL;
-    must(stltsa_denoising_json(d, &json));
-    const char* period = strstr(json, "\"period_s\":");
-    assert_non_null(period);
-    assert_below(fabs(strtod(period + 11, NULL) - 1.1), 0.05, "period");
-    stltsa_free(json);
+    assert_below(fabs(real_of(d, STLTSA_INFO_PERIOD) - 1.1), 0.05, "period");
     stltsa_denoising_free(d);
     stltsa_options_free(options);
     free(y);
@@ -136,15 +108,13 @@ static void spikes_are_refused_by_default(void** state) {
     double* spiked = copy_of(y, rows * cols);
     for (int64_t i = 20; i < rows; i += 30)
         spiked[i * cols] += 20;
-    stltsa_options* plain = NULL;
-    must(stltsa_options_new(&plain));
-    must(stltsa_options_set_int(plain, STLTSA_OPT_ROBUST, 0));
+    stltsa_options* plain = with_int(STLTSA_OPT_ROBUST, 0);
     double off[2];
     for (int robust = 0; robust < 2; ++robust) {
         stltsa_denoising* clean = denoised(y, plain);
         stltsa_denoising* d = denoised(spiked, robust ? NULL : plain);
-        double* expected = new_table(clean, stltsa_denoising_curve, rows, cols);
-        double* curve = new_table(d, stltsa_denoising_curve, rows, cols);
+        double* expected = array_of(clean, STLTSA_INFO_CURVE);
+        double* curve = array_of(d, STLTSA_INFO_CURVE);
         off[robust] = largest_difference(expected, curve, rows * cols);
         free(expected);
         free(curve);
@@ -168,7 +138,7 @@ static void clips_are_apart(void** state) {
     const stltsa_in clips = list_in(lengths, 2);
     stltsa_denoising* d = NULL;
     must(stltsa_denoise(&in, &clips, NULL, &d));
-    double* curve = new_table(d, stltsa_denoising_curve, rows, cols);
+    double* curve = array_of(d, STLTSA_INFO_CURVE);
     assert_below(largest_difference(y, curve, rows * cols), 1, "distance from the curve");
     free(curve);
     free(y);
@@ -183,19 +153,15 @@ static void models_are_cleaned_piece_by_piece(void** state) {
     for (int64_t i = 70 * 5; i < n * 5; ++i)
         x[i] += 1e4;
     stltsa_options* options = new_options(6, 8, 1);
-    const stltsa_in in = packed_in(x, n, 5);
-    stltsa_model* model = NULL;
-    must(stltsa_fit(&in, NULL, options, &model));
-    assert_int_equal(model_int(model, STLTSA_INFO_COMPONENTS), 2);
+    stltsa_model* model = fitted_rows(x, n, 5, options);
+    assert_int_equal(count_of(model, STLTSA_INFO_COMPONENT), 2);
     stltsa_denoising* d = NULL;
     must(stltsa_denoise_model(model, options, &d));
-    char* json = NULL;
-    must(stltsa_denoising_json(d, &json));
-    assert_non_null(strstr(json, "\"lengths\":[70,50]"));
-    stltsa_free(json);
-    double* coords = new_coords(model);
-    double* cleaned = new_table(d, stltsa_denoising_cleaned, n, 1);
-    double* moves = new_table(d, stltsa_denoising_moves, n, 1);
+    for (int i = 0; i < 2; ++i)
+        assert_int_equal(get_int(stltsa_denoising_info(d), STLTSA_INFO_LENGTH, i), i ? 50 : 70);
+    double* coords = array_of(model, STLTSA_INFO_COORDS);
+    double* cleaned = array_of(d, STLTSA_INFO_CLEANED);
+    double* moves = array_of(d, STLTSA_INFO_MOVES);
     for (int64_t i = 0; i < n; ++i)
         assert_below(fabs(coords[i] + moves[i] - cleaned[i]), 1e-15, "coords + moves - cleaned");
     free(coords);
@@ -222,9 +188,7 @@ static void the_search_for_the_period_calls_back(void** state) {
     (void)state;
     double* y = new_noisy();
     int starts = 0;
-    stltsa_options* options = NULL;
-    must(stltsa_options_new(&options));
-    must(stltsa_options_set_progress(options, count_starts, &starts));
+    stltsa_options* options = with_progress(count_starts, &starts);
     stltsa_denoising_free(denoised(y, options));
     assert_in_range(starts, 2, 100000);
     stltsa_options_free(options);
@@ -255,19 +219,13 @@ static void errors(void** state) {
     in.rows = 0;
     refuses(STLTSA_E_SHAPE, &in, NULL, NULL);
     in.rows = rows;
-    stltsa_options* options = NULL;
-    must(stltsa_options_new(&options));
+    stltsa_options* options = empty_options();
     assert_int_equal(stltsa_options_set_real(options, STLTSA_OPT_GAMMA, -1), STLTSA_E_ARGUMENT);
     must(stltsa_options_set_progress(options, cancel, NULL));
     refuses(STLTSA_E_CANCELLED, &in, NULL, options);
     stltsa_options_free(options);
 
     stltsa_denoising* d = denoised(y, NULL);
-    char* json = NULL;
-    assert_int_equal(stltsa_info_count(stltsa_denoising_info(d), STLTSA_INFO_GAMMA), cols);
-    assert_int_equal(stltsa_denoising_json(NULL, &json), STLTSA_E_ARGUMENT);
-    const stltsa_out narrow = packed_out(y, rows, 1);
-    assert_int_equal(stltsa_denoising_curve(d, &narrow), STLTSA_E_SHAPE);
     stltsa_denoising* none = d;
     assert_int_equal(stltsa_denoise_model(NULL, NULL, &none), STLTSA_E_ARGUMENT);
     assert_null(none);

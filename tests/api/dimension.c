@@ -1,46 +1,63 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The intrinsic dimension through the C API. */
+/* The intrinsic dimension: facts of a model that was fitted with option intrinsic. */
 #include "support.h"
 
-static const char* walker_path;
-
-static stltsa_clip* opened(void) {
-    stltsa_clip* clip = NULL;
-    must(stltsa_clip_open(walker_path, NULL, &clip));
-    return clip;
+static stltsa_options* intrinsic(int64_t k, int64_t w, int64_t d) {
+    stltsa_options* options = new_options(k, w, d);
+    must(stltsa_options_set_int(options, STLTSA_OPT_INTRINSIC, 1));
+    return options;
 }
 
 static void dimension_of_the_walk(void** state) {
     (void)state;
     stltsa_clip* clip = opened();
-    stltsa_dimension* result = NULL;
-    const char* reason = NULL;
-    must(stltsa_estimate_dimension_clip(clip, NULL, &result));
-    assert_in_range(stltsa_dimension_local_pca(result, &reason), 1, 5);
-    assert_string_equal(reason, "");
-    const stltsa_info* info = stltsa_dimension_info(result);
+    stltsa_options* options = with_int(STLTSA_OPT_INTRINSIC, 1);
+    stltsa_model* model = fitted_clip(clip, options);
+    const stltsa_info* info = stltsa_model_info(model);
+    assert_in_range(int_of(model, STLTSA_INFO_LOCAL_PCA), 1, 5);
+    assert_string_equal(text_of(model, STLTSA_INFO_LOCAL_PCA_REASON), "");
+    assert_true(real_of(model, STLTSA_INFO_VARIANCE) == 0.95);
+    assert_true(real_of(model, STLTSA_INFO_EIGENGAP_THRESHOLD) > 0);
     const int64_t count = stltsa_info_count(info, STLTSA_INFO_EIGENVALUE);
     assert_in_range(count, 4, 1000);
-    double* values = new_matrix(count, 1);
-    stltsa_out out = packed_out(values, count, 1);
-    must(stltsa_dimension_eigenvalues(result, &out));
-    assert_below(fabs(values[0]), 1e-10, "the zero eigenvalue");
+    assert_below(fabs(get_real(info, STLTSA_INFO_EIGENVALUE, 0)), 1e-10, "the zero eigenvalue");
     for (int64_t i = 1; i < count; ++i)
-        assert_true(values[i] >= values[i - 1]);
-    free(values);
-    const int64_t directions = stltsa_info_count(info, STLTSA_INFO_LOCAL_VARIANCE);
-    assert_in_range(directions, 3, 1000);
-    double* shares = new_matrix(directions, 1);
-    out = packed_out(shares, directions, 1);
-    must(stltsa_dimension_local_variances(result, &out));
-    assert_true(shares[0] > shares[1] && shares[1] > shares[2] && shares[0] < 1);
-    out.rows = 2;
-    assert_int_equal(stltsa_dimension_local_variances(result, &out), STLTSA_E_SHAPE);
-    assert_int_equal(stltsa_dimension_eigenvalues(result, NULL), STLTSA_E_ARGUMENT);
-    assert_int_equal(stltsa_dimension_eigenvalues(NULL, &out), STLTSA_E_ARGUMENT);
-    free(shares);
-    stltsa_dimension_free(result);
+        assert_true(get_real(info, STLTSA_INFO_EIGENVALUE, i) >=
+                    get_real(info, STLTSA_INFO_EIGENVALUE, i - 1));
+    assert_in_range(stltsa_info_count(info, STLTSA_INFO_LOCAL_VARIANCE), 3, 1000);
+    for (int64_t i = 0; i < 2; ++i)
+        assert_true(get_real(info, STLTSA_INFO_LOCAL_VARIANCE, i) >
+                    get_real(info, STLTSA_INFO_LOCAL_VARIANCE, i + 1));
+    assert_true(get_real(info, STLTSA_INFO_LOCAL_VARIANCE, 0) < 1);
+    stltsa_model_free(model);
+    stltsa_options_free(options);
     stltsa_clip_free(clip);
+}
+
+/* It costs time, so it is not estimated unless it is asked for; the coordinates are the same. */
+static void dimension_is_estimated_if_asked_for(void** state) {
+    (void)state;
+    enum { rows = 200, cols = 5 };
+    double* x = new_motion(rows, cols, 3);
+    stltsa_options *options = intrinsic(12, 12, 2), *plain = new_options(12, 12, 2);
+    stltsa_model *with_it = fitted_rows(x, rows, cols, options),
+                 *without = fitted_rows(x, rows, cols, plain);
+    assert_int_equal(count_of(with_it, STLTSA_INFO_LOCAL_PCA), 1);
+    const int32_t keys[] = {STLTSA_INFO_LOCAL_PCA,        STLTSA_INFO_EIGENGAP,
+                            STLTSA_INFO_LOCAL_PCA_REASON, STLTSA_INFO_EIGENGAP_REASON,
+                            STLTSA_INFO_VARIANCE,         STLTSA_INFO_EIGENGAP_THRESHOLD,
+                            STLTSA_INFO_EIGENVALUE,       STLTSA_INFO_LOCAL_VARIANCE};
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; ++i)
+        assert_int_equal(count_of(without, keys[i]), 0);
+    double *a = array_of(with_it, STLTSA_INFO_COORDS), *b = array_of(without, STLTSA_INFO_COORDS);
+    assert_same_bits(a, b, rows * 2);
+    free(a);
+    free(b);
+    stltsa_model_free(with_it);
+    stltsa_model_free(without);
+    stltsa_options_free(options);
+    stltsa_options_free(plain);
+    free(x);
 }
 
 static void dimension_of_a_cut_clip_cannot_be_told(void** state) {
@@ -49,15 +66,11 @@ static void dimension_of_a_cut_clip_cannot_be_told(void** state) {
     double* x = new_motion(rows, cols, 3);
     for (int i = rows / 2 * cols; i < rows * cols; ++i)
         x[i] += 1000;
-    const stltsa_in in = packed_in(x, rows, cols);
-    stltsa_options* options = new_options(12, 12, 2);
-    stltsa_dimension* result = NULL;
-    const char* reason = NULL;
-    must(stltsa_estimate_dimension(&in, NULL, options, &result));
-    assert_int_equal(stltsa_dimension_eigengap(result, &reason), 0);
-    assert_non_null(strstr(reason, "2 parts"));
-    stltsa_dimension_free(result);
-    stltsa_dimension_free(NULL);
+    stltsa_options* options = intrinsic(12, 12, 2);
+    stltsa_model* model = fitted_rows(x, rows, cols, options);
+    assert_int_equal(int_of(model, STLTSA_INFO_EIGENGAP), 0);
+    assert_non_null(strstr(text_of(model, STLTSA_INFO_EIGENGAP_REASON), "2 parts"));
+    stltsa_model_free(model);
     stltsa_options_free(options);
     free(x);
 }
@@ -72,12 +85,10 @@ static void dimension_of_a_helix_is_two(void** state) {
         x[i * cols + 1] = sin(0.25 * i);
         x[i * cols + 2] = 0.001 * i;
     }
-    const stltsa_in in = packed_in(x, rows, cols);
-    stltsa_options* options = new_options(12, 12, 2);
-    stltsa_dimension* result = NULL;
-    must(stltsa_estimate_dimension(&in, NULL, options, &result));
-    assert_int_equal(stltsa_dimension_local_pca(result, NULL), 2);
-    stltsa_dimension_free(result);
+    stltsa_options* options = intrinsic(12, 12, 2);
+    stltsa_model* model = fitted_rows(x, rows, cols, options);
+    assert_int_equal(int_of(model, STLTSA_INFO_LOCAL_PCA), 2);
+    stltsa_model_free(model);
     stltsa_options_free(options);
     free(x);
 }
@@ -85,13 +96,9 @@ static void dimension_of_a_helix_is_two(void** state) {
 int main(int argc, char** argv) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(dimension_of_the_walk),
+        cmocka_unit_test(dimension_is_estimated_if_asked_for),
         cmocka_unit_test(dimension_of_a_cut_clip_cannot_be_told),
         cmocka_unit_test(dimension_of_a_helix_is_two),
     };
-    if (argc < 2) {
-        fprintf(stderr, "usage: unit_dimension WALKER.bvh\n");
-        return 2;
-    }
-    walker_path = argv[1];
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_on_walker(tests, argc, argv);
 }

@@ -2,77 +2,53 @@
 /* Events marked once and found in every cycle, through the public API. */
 #include "support.h"
 
-static const char* walker_path;
-
-static stltsa_phase* phase_of(const char* part) {
-    char* name = malloc(strlen(walker_path) + strlen(part) + 1);
-    strcat(strcpy(name, walker_path), part);
-    stltsa_clip* clip = NULL;
-    stltsa_decomposition* found = NULL;
-    stltsa_phase* phase = NULL;
-    must(stltsa_clip_open(name, NULL, &clip));
-    must(stltsa_decompose(clip, NULL, &found));
-    must(stltsa_phase_find(found, NULL, &phase));
-    stltsa_decomposition_free(found);
+static stltsa_phase* walk_phase(void) {
+    stltsa_clip* clip = opened();
+    stltsa_phase* phase = phase_of(clip, NULL);
     stltsa_clip_free(clip);
-    free(name);
     return phase;
 }
 
 static stltsa_events* found_in(const stltsa_phase* from, double mark, const stltsa_phase* in) {
     const stltsa_in marks = packed_in(&mark, 1, 1);
     stltsa_events* events = NULL;
-    must(stltsa_events_find(from, &marks, in, &events));
+    must(stltsa_events_find(from, &marks, in, NULL, &events));
     return events;
 }
 
-static stltsa_event event_of(const stltsa_events* events, int64_t index) {
-    stltsa_event event;
-    event.size = sizeof event;
-    must(stltsa_events_event(events, index, &event));
-    return event;
-}
-
-/* Cancelled at the first call of the progress callback, the second, ... until events are found. */
-static void finding_can_be_cancelled(void** state) {
-    (void)state;
-    stltsa_phase* phase = phase_of("");
+static stltsa_status find(void* phase, const stltsa_options* options) {
     const double mark = 250;
     const stltsa_in marks = packed_in(&mark, 1, 1);
-    stltsa_options* options = NULL;
-    must(stltsa_options_new(&options));
-    int32_t cancelled = 0;
-    for (;; ++cancelled) {
-        int32_t left = cancelled;
-        must(stltsa_options_set_progress(options, cancel_after, &left));
-        stltsa_events* events = NULL;
-        const stltsa_status status = stltsa_events_find_with(phase, &marks, NULL, options, &events);
-        if (status == STLTSA_OK) {
-            stltsa_events* expected = found_in(phase, mark, NULL);
-            assert_int_equal(stltsa_events_count(events), stltsa_events_count(expected));
-            stltsa_events_free(expected);
-            stltsa_events_free(events);
-            break;
-        }
-        assert_int_equal(status, STLTSA_E_CANCELLED);
-        assert_null(events);
-        assert_true(cancelled < 1000);
+    stltsa_events* events = NULL;
+    const stltsa_status status = stltsa_events_find(phase, &marks, NULL, options, &events);
+    assert_true((events == NULL) == (status != STLTSA_OK));
+    if (status == STLTSA_OK) {
+        stltsa_events* expected = found_in(phase, mark, NULL);
+        assert_int_equal(count_of(events, STLTSA_INFO_EVENT),
+                         count_of(expected, STLTSA_INFO_EVENT));
+        stltsa_events_free(expected);
     }
-    assert_true(cancelled > 3); /* at the start, and for each cycle */
-    stltsa_options_free(options);
+    stltsa_events_free(events);
+    return status;
+}
+
+static void finding_can_be_cancelled(void** state) {
+    (void)state;
+    stltsa_phase* phase = walk_phase();
+    assert_in_range(cancelled_calls(find, phase), 4, 1000); /* at the start, and for each cycle */
     stltsa_phase_free(phase);
 }
 
 /* The walker repeats every 132 frames: the event does so, too, to a fraction of a frame. */
 static void a_mark_is_found_in_every_cycle(void** state) {
     (void)state;
-    stltsa_phase* phase = phase_of("");
+    stltsa_phase* phase = walk_phase();
     const double marks[] = {250, 263.4, 301.25};
     for (size_t m = 0; m < sizeof marks / sizeof *marks; ++m) {
         stltsa_events* events = found_in(phase, marks[m], NULL);
         int64_t marked = -1;
-        for (int64_t i = 0; i < stltsa_events_count(events); ++i) {
-            const stltsa_event event = event_of(events, i);
+        for (int64_t i = 0; i < count_of(events, STLTSA_INFO_EVENT); ++i) {
+            const stltsa_event event = event_at(events, i);
             assert_below(fabs(event.seconds - event.frame / 120), 1e-12, "seconds");
             assert_true(event.confidence >= 0 && event.confidence <= 1);
             if (event.marked) {
@@ -82,13 +58,13 @@ static void a_mark_is_found_in_every_cycle(void** state) {
         }
         assert_true(marked >= 0);
         for (int c = 1; c <= 2; ++c) {
-            const stltsa_event event = event_of(events, marked + c);
+            const stltsa_event event = event_at(events, marked + c);
             assert_int_equal(event.cycle, c);
             assert_false(event.marked);
             assert_below(fabs(event.frame - (marks[m] + c * 132)), 0.25, "frames off");
             assert_true(event.confidence > 0.9);
         }
-        assert_true(stltsa_events_likeness(events) == 1);
+        assert_true(real_of(events, STLTSA_INFO_LIKENESS) == 1);
         stltsa_events_free(events);
     }
     stltsa_phase_free(phase);
@@ -97,12 +73,16 @@ static void a_mark_is_found_in_every_cycle(void** state) {
 /* The same event in a stretch of the walk, which begins elsewhere in the cycle. */
 static void a_mark_is_found_in_another_clip(void** state) {
     (void)state;
-    stltsa_phase *phase = phase_of(""), *other = phase_of(":170-600");
+    stltsa_clip *clip = opened(), *part = NULL;
+    must(stltsa_clip_stretch(clip, "170-600", NULL, &part));
+    stltsa_phase *phase = walk_phase(), *other = phase_of(part, NULL);
+    stltsa_clip_free(part);
+    stltsa_clip_free(clip);
     stltsa_events* events = found_in(phase, 250, other);
-    assert_true(stltsa_events_likeness(events) > 0.99);
+    assert_true(real_of(events, STLTSA_INFO_LIKENESS) > 0.99);
     int near_by = 0;
-    for (int64_t i = 0; i < stltsa_events_count(events); ++i) {
-        const stltsa_event event = event_of(events, i);
+    for (int64_t i = 0; i < count_of(events, STLTSA_INFO_EVENT); ++i) {
+        const stltsa_event event = event_at(events, i);
         assert_false(event.marked);
         const double cycles = (event.frame + 170 - 250) / 132;
         if (event.cycle >= 0) {
@@ -119,19 +99,19 @@ static void a_mark_is_found_in_another_clip(void** state) {
 /* Both feet under one name: each is found half a cycle from the other, and a warning says so. */
 static void marks_at_two_places_are_two_events(void** state) {
     (void)state;
-    stltsa_phase* phase = phase_of("");
+    stltsa_phase* phase = walk_phase();
     const double both[] = {250, 316};
     const stltsa_in marks = packed_in(both, 2, 1);
     stltsa_events *events = NULL, *one = found_in(phase, 250, NULL);
-    must(stltsa_events_find(phase, &marks, NULL, &events));
-    assert_int_equal(stltsa_events_warning_count(one), 0);
-    assert_string_equal(stltsa_events_warning(one, 0), "");
-    assert_int_equal(stltsa_events_warning_count(events), 1);
-    assert_non_null(strstr(stltsa_events_warning(events, 0), "2 places in the cycle"));
-    assert_int_equal(stltsa_events_warning_count(NULL), 0);
-    int marked = 0, of_first = 0;
-    for (int64_t i = 0; i < stltsa_events_count(events); ++i) {
-        const stltsa_event event = event_of(events, i);
+    must(stltsa_events_find(phase, &marks, NULL, NULL, &events));
+    assert_int_equal(count_of(one, STLTSA_INFO_WARNING), 0);
+    assert_int_equal(count_of(events, STLTSA_INFO_WARNING), 1);
+    assert_int_equal(warnings_of(events, "2 places in the cycle"), 1);
+    assert_int_equal(get_warning(stltsa_events_info(events), 0).code,
+                     STLTSA_WARNING_SEVERAL_PLACES);
+    int64_t marked = 0, of_first = 0;
+    for (int64_t i = 0; i < count_of(events, STLTSA_INFO_EVENT); ++i) {
+        const stltsa_event event = event_at(events, i);
         if (event.marked)
             assert_true(event.frame == both[marked++]);
         const double turns = (event.frame - 250) / 66;
@@ -140,52 +120,45 @@ static void marks_at_two_places_are_two_events(void** state) {
         of_first += (int64_t)nearbyint(turns) % 2 == 0;
     }
     assert_int_equal(marked, 2);
-    assert_int_equal(of_first, stltsa_events_count(one));
+    assert_int_equal(of_first, count_of(one, STLTSA_INFO_EVENT));
     stltsa_events_free(events);
     stltsa_events_free(one);
 
     /* All marks come back, also several in one cycle; marks all over it mark no place in it. */
     const double near_by[] = {250, 252, 254};
     const stltsa_in few = packed_in(near_by, 3, 1);
-    must(stltsa_events_find(phase, &few, NULL, &events));
+    must(stltsa_events_find(phase, &few, NULL, NULL, &events));
     marked = 0;
-    for (int64_t i = 0; i < stltsa_events_count(events); ++i)
-        marked += event_of(events, i).marked;
+    for (int64_t i = 0; i < count_of(events, STLTSA_INFO_EVENT); ++i)
+        marked += event_at(events, i).marked;
     assert_int_equal(marked, 3);
     stltsa_events_free(events);
     double all[30];
     for (int i = 0; i < 30; ++i)
         all[i] = 250 + 4 * i;
     const stltsa_in many = packed_in(all, 30, 1);
-    assert_int_equal(stltsa_events_find(phase, &many, NULL, &events), STLTSA_E_ARGUMENT);
-    assert_non_null(strstr(stltsa_last_error(), "spread over"));
+    must_fail(stltsa_events_find(phase, &many, NULL, NULL, &events), STLTSA_E_ARGUMENT,
+              "spread over");
     stltsa_phase_free(phase);
 }
 
 static void wrong_arguments_are_named(void** state) {
     (void)state;
-    stltsa_phase* phase = phase_of("");
+    stltsa_phase* phase = walk_phase();
     stltsa_events* events = NULL;
     const double outside[] = {2, 99999, NAN};
     const char* const texts[] = {"lies in no motion that repeats", "the clip has frames 0 to",
                                  "mark 0 is frame"};
     for (int i = 0; i < 3; ++i) {
         const stltsa_in marks = packed_in(outside + i, 1, 1);
-        assert_int_equal(stltsa_events_find(phase, &marks, NULL, &events), STLTSA_E_ARGUMENT);
+        assert_int_equal(stltsa_events_find(phase, &marks, NULL, NULL, &events), STLTSA_E_ARGUMENT);
         assert_non_null(strstr(stltsa_last_error(), texts[i]));
     }
     const stltsa_in none = packed_in(outside, 0, 1), wide = packed_in(outside, 1, 2);
-    assert_int_equal(stltsa_events_find(phase, &none, NULL, &events), STLTSA_E_SHAPE);
-    assert_int_equal(stltsa_events_find(phase, &wide, NULL, &events), STLTSA_E_SHAPE);
+    assert_int_equal(stltsa_events_find(phase, &none, NULL, NULL, &events), STLTSA_E_SHAPE);
+    assert_int_equal(stltsa_events_find(phase, &wide, NULL, NULL, &events), STLTSA_E_SHAPE);
     assert_null(events);
-    events = found_in(phase, 250, NULL);
-    stltsa_event event;
-    event.size = sizeof event;
-    assert_int_equal(stltsa_events_event(events, 99, &event), STLTSA_E_ARGUMENT);
-    assert_int_equal(stltsa_events_count(NULL), 0);
-    assert_true(stltsa_events_likeness(NULL) == 0);
     stltsa_events_free(NULL);
-    stltsa_events_free(events);
     stltsa_phase_free(phase);
 }
 
@@ -194,29 +167,20 @@ static void other_features_are_refused(void** state) {
     (void)state;
     enum { rows = 300, cols = 4 };
     double* x = new_motion(rows, cols, 2);
-    const stltsa_in in = packed_in(x, rows, cols);
-    stltsa_clip* clip = NULL;
-    stltsa_decomposition* found = NULL;
-    stltsa_phase *phase = phase_of(""), *other = NULL;
-    must(stltsa_clip_from_matrix(&in, 30, &clip));
-    must(stltsa_decompose(clip, NULL, &found));
-    must(stltsa_phase_find(found, NULL, &other));
+    stltsa_clip* clip = matrix_clip(x, rows, cols, 30);
+    stltsa_phase *phase = walk_phase(), *other = phase_of(clip, NULL);
     const double mark = 250;
     const stltsa_in marks = packed_in(&mark, 1, 1);
     stltsa_events* events = NULL;
-    assert_int_equal(stltsa_events_find(phase, &marks, other, &events), STLTSA_E_SHAPE);
-    assert_non_null(strstr(stltsa_last_error(), "other features"));
+    must_fail(stltsa_events_find(phase, &marks, other, NULL, &events), STLTSA_E_SHAPE,
+              "other features");
     stltsa_phase_free(phase);
     stltsa_phase_free(other);
-    stltsa_decomposition_free(found);
     stltsa_clip_free(clip);
     free(x);
 }
 
 int main(int argc, char** argv) {
-    if (argc != 2)
-        return 2;
-    walker_path = argv[1];
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_mark_is_found_in_every_cycle),
         cmocka_unit_test(a_mark_is_found_in_another_clip),
@@ -225,5 +189,5 @@ int main(int argc, char** argv) {
         cmocka_unit_test(wrong_arguments_are_named),
         cmocka_unit_test(other_features_are_refused),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_on_walker(tests, argc, argv);
 }

@@ -2,8 +2,6 @@
 /* Several clips fitted together as clips. */
 #include "support.h"
 
-static const char* walker_path;
-
 enum { k = 36, d = 2 };
 
 /* The walk, and part of it with another start and end, as two clips of one body. */
@@ -32,12 +30,6 @@ static int free_two(void** state) {
     return 0;
 }
 
-static int64_t value_of(const stltsa_model* model, int32_t key, int64_t index) {
-    int64_t value = -1;
-    must(stltsa_info_int(stltsa_model_info(model), key, index, &value));
-    return value;
-}
-
 /* Neighbors do not cross clips, so that each has the coordinates that it has alone. */
 static void each_clip_has_the_coordinates_that_it_has_alone(void** state) {
     const struct two* two = *state;
@@ -47,27 +39,25 @@ static void each_clip_has_the_coordinates_that_it_has_alone(void** state) {
     const stltsa_info* info = stltsa_model_info(both);
     assert_int_equal(stltsa_info_count(info, STLTSA_INFO_LENGTH), 2);
     assert_int_equal(stltsa_info_count(info, STLTSA_INFO_CLIP_FRAMES), 2);
-    assert_int_equal(stltsa_info_count(info, STLTSA_INFO_COMPONENT_ROWS), 2);
-    assert_int_equal(value_of(both, STLTSA_INFO_COMPONENTS, 0), 2);
-    double* coords = new_coords(both);
+    assert_int_equal(stltsa_info_count(info, STLTSA_INFO_COMPONENT), 2);
+    double* coords = array_of(both, STLTSA_INFO_COORDS);
     int64_t row = 0;
     for (int64_t c = 0; c < 2; ++c) {
-        stltsa_model* alone = NULL;
-        must(stltsa_fit_clip(two->clips[c], options, &alone));
-        const int64_t rows = value_of(alone, STLTSA_INFO_ROWS, 0);
-        double* own = new_coords(alone);
-        assert_int_equal(value_of(both, STLTSA_INFO_LENGTH, c), rows);
-        assert_int_equal(value_of(both, STLTSA_INFO_CLIP_FRAMES, c),
+        stltsa_model* alone = fitted_clip(two->clips[c], options);
+        const int64_t rows = int_of(alone, STLTSA_INFO_ROWS);
+        double* own = array_of(alone, STLTSA_INFO_COORDS);
+        assert_int_equal(get_int(info, STLTSA_INFO_LENGTH, c), rows);
+        assert_int_equal(get_int(stltsa_model_info(both), STLTSA_INFO_CLIP_FRAMES, c),
                          stltsa_clip_frames(two->clips[c]));
-        assert_int_equal(value_of(both, STLTSA_INFO_FIRST_FRAME, c),
-                         value_of(alone, STLTSA_INFO_FIRST_FRAME, 0));
+        assert_int_equal(get_int(stltsa_model_info(both), STLTSA_INFO_FIRST_FRAME, c),
+                         int_of(alone, STLTSA_INFO_FIRST_FRAME));
         for (int64_t i = 0; i < rows * d; ++i)
             assert_below(fabs(coords[row * d + i] - own[i]), 1e-8, "difference of a coordinate");
         row += rows;
         free(own);
         stltsa_model_free(alone);
     }
-    assert_int_equal(value_of(both, STLTSA_INFO_ROWS, 0), row);
+    assert_int_equal(int_of(both, STLTSA_INFO_ROWS), row);
     free(coords);
     stltsa_model_free(both);
     stltsa_options_free(options);
@@ -84,16 +74,16 @@ static void each_clip_is_mapped_to_its_own_rows(void** state) {
     must(stltsa_fit_clips(two->clips, 2, options, &fitted));
     must(stltsa_model_serialize(fitted, &bytes, &size));
     must(stltsa_model_parse(bytes, size, &both));
-    double* coords = new_coords(both);
+    double* coords = array_of(both, STLTSA_INFO_COORDS);
     int64_t row = 0;
     for (int64_t c = 0; c < 2; ++c) {
         const int64_t frames = stltsa_clip_frames(two->clips[c]);
-        const int64_t first = value_of(both, STLTSA_INFO_FIRST_FRAME, c);
-        const int64_t step = value_of(both, STLTSA_INFO_FRAME_STEP, c);
+        const int64_t first = get_int(stltsa_model_info(both), STLTSA_INFO_FIRST_FRAME, c);
+        const int64_t step = get_int(stltsa_model_info(both), STLTSA_INFO_FRAME_STEP, c);
         double* mapped = new_matrix(frames, d);
         const stltsa_out out = packed_out(mapped, frames, d);
         must(stltsa_map_clip(both, two->clips[c], NULL, &out, NULL, NULL));
-        for (int64_t i = 0; i < value_of(both, STLTSA_INFO_LENGTH, c); ++i, ++row)
+        for (int64_t i = 0; i < get_int(stltsa_model_info(both), STLTSA_INFO_LENGTH, c); ++i, ++row)
             assert_same_bits(mapped + d * (first + i * step), coords + d * row, d);
         free(mapped);
     }
@@ -111,9 +101,9 @@ static void poses_of_the_second_clip_come_back(void** state) {
     stltsa_model* both = NULL;
     stltsa_clip* poses = NULL;
     must(stltsa_fit_clips(two->clips, 2, options, &both));
-    const int64_t begin = value_of(both, STLTSA_INFO_LENGTH, 0);
-    const int64_t rows = value_of(both, STLTSA_INFO_LENGTH, 1);
-    double* coords = new_coords(both);
+    const int64_t begin = int_of(both, STLTSA_INFO_LENGTH);
+    const int64_t rows = get_int(stltsa_model_info(both), STLTSA_INFO_LENGTH, 1);
+    double* coords = array_of(both, STLTSA_INFO_COORDS);
     const stltsa_in in = packed_in(coords + begin * d, rows, d);
     must(stltsa_options_set_int(options, STLTSA_OPT_COMPONENT, 1));
     must(stltsa_unmap_clip(both, &in, NULL, options, NULL, NULL, &poses));
@@ -126,8 +116,8 @@ static void poses_of_the_second_clip_come_back(void** state) {
     const stltsa_out to_found = packed_out(found, rows, count);
     must(stltsa_clip_features(two->clips[1], NULL, &to_wanted));
     must(stltsa_clip_features(poses, NULL, &to_found));
-    const int64_t first = value_of(both, STLTSA_INFO_FIRST_FRAME, 1);
-    const int64_t step = value_of(both, STLTSA_INFO_FRAME_STEP, 1);
+    const int64_t first = get_int(stltsa_model_info(both), STLTSA_INFO_FIRST_FRAME, 1);
+    const int64_t step = get_int(stltsa_model_info(both), STLTSA_INFO_FRAME_STEP, 1);
     for (int64_t i = 0; i < rows; ++i)
         for (int64_t f = 0; f < count; ++f)
             assert_below(fabs(found[i * count + f] - wanted[(first + i * step) * count + f]), 1e-6,
@@ -144,9 +134,7 @@ static stltsa_clip* numbers(int64_t cols, double fps) {
     double* x = new_matrix(200, cols);
     for (int64_t i = 0; i < 200 * cols; ++i)
         x[i] = sin(0.1 * (double)(i / cols) + (double)(i % cols));
-    const stltsa_in in = packed_in(x, 200, cols);
-    stltsa_clip* clip = NULL;
-    must(stltsa_clip_from_matrix(&in, fps, &clip));
+    stltsa_clip* clip = matrix_clip(x, 200, cols, fps);
     free(x);
     return clip;
 }
@@ -155,13 +143,8 @@ static void assert_refused(const stltsa_clip* a, const stltsa_clip* b, stltsa_st
                            const char* text) {
     const stltsa_clip* clips[2] = {a, b};
     stltsa_model* model = (stltsa_model*)&model;
-    stltsa_dimension* dimension = (stltsa_dimension*)&dimension;
-    assert_int_equal(stltsa_fit_clips(clips, 2, NULL, &model), status);
-    assert_non_null(strstr(stltsa_last_error(), text));
+    must_fail(stltsa_fit_clips(clips, 2, NULL, &model), status, text);
     assert_null(model);
-    assert_int_equal(stltsa_estimate_dimension_clips(clips, 2, NULL, &dimension), status);
-    assert_non_null(strstr(stltsa_last_error(), text));
-    assert_null(dimension);
 }
 
 static void clips_that_do_not_go_together_are_refused(void** state) {
@@ -202,20 +185,15 @@ static void the_dimension_of_two_clips_is_that_of_the_body(void** state) {
     const struct two* two = *state;
     stltsa_options* options = new_options(k, k, d);
     must(stltsa_options_unset(options, STLTSA_OPT_DIMENSION));
-    stltsa_dimension* both = NULL;
-    int64_t rows[3] = {0};
-    must(stltsa_estimate_dimension_clips(two->clips, 2, options, &both));
-    must(stltsa_info_int(stltsa_dimension_info(both), STLTSA_INFO_ROWS, 0, &rows[2]));
+    must(stltsa_options_set_int(options, STLTSA_OPT_INTRINSIC, 1));
+    stltsa_model* both = NULL;
+    must(stltsa_fit_clips(two->clips, 2, options, &both));
     for (int64_t c = 0; c < 2; ++c) {
-        stltsa_dimension* alone = NULL;
-        must(stltsa_estimate_dimension_clip(two->clips[c], options, &alone));
-        must(stltsa_info_int(stltsa_dimension_info(alone), STLTSA_INFO_ROWS, 0, &rows[c]));
-        assert_int_equal(stltsa_dimension_local_pca(both, NULL),
-                         stltsa_dimension_local_pca(alone, NULL));
-        stltsa_dimension_free(alone);
+        stltsa_model* alone = fitted_clip(two->clips[c], options);
+        assert_int_equal(int_of(both, STLTSA_INFO_LOCAL_PCA), int_of(alone, STLTSA_INFO_LOCAL_PCA));
+        stltsa_model_free(alone);
     }
-    assert_int_equal(rows[2], rows[0] + rows[1]);
-    stltsa_dimension_free(both);
+    stltsa_model_free(both);
     stltsa_options_free(options);
 }
 

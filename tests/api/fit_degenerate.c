@@ -14,9 +14,8 @@ struct fit {
 static struct fit fit_rows(const double* x, int64_t count) {
     struct fit f = {NULL, NULL, count};
     stltsa_options* options = new_options(k, w, d);
-    const stltsa_in in = packed_in(x, count, cols);
-    must(stltsa_fit(&in, NULL, options, &f.model));
-    f.coords = new_coords(f.model);
+    f.model = fitted_rows(x, count, cols, options);
+    f.coords = array_of(f.model, STLTSA_INFO_COORDS);
     stltsa_options_free(options);
     return f;
 }
@@ -45,9 +44,9 @@ static void assert_holds_collapse(const int64_t* times) {
     double* held = new_held(x, times, &total);
     const struct fit want = fit_rows(x, rows);
     const struct fit got = fit_rows(held, total);
-    assert_int_equal(model_int(got.model, STLTSA_INFO_ROWS), total);
-    assert_int_equal(model_int(got.model, STLTSA_INFO_REPEATED), total - rows);
-    assert_int_equal(model_int(got.model, STLTSA_INFO_COMPONENTS), 1);
+    assert_int_equal(int_of(got.model, STLTSA_INFO_ROWS), total);
+    assert_int_equal(int_of(got.model, STLTSA_INFO_REPEATED), total - rows);
+    assert_int_equal(count_of(got.model, STLTSA_INFO_COMPONENT), 1);
     int64_t at = 0;
     for (int i = 0; i < rows; ++i)
         for (int64_t t = 0; t < times[i]; ++t)
@@ -81,8 +80,8 @@ static void a_pose_that_comes_back_is_not_a_repeat(void** state) {
     double* x = new_motion(rows, cols, 62);
     memcpy(x + 103 * cols, x + 100 * cols, cols * sizeof *x);
     const struct fit f = fit_rows(x, rows);
-    assert_int_equal(model_int(f.model, STLTSA_INFO_REPEATED), 0);
-    assert_int_equal(model_int(f.model, STLTSA_INFO_COMPONENTS), 1);
+    assert_int_equal(int_of(f.model, STLTSA_INFO_REPEATED), 0);
+    assert_int_equal(count_of(f.model, STLTSA_INFO_COMPONENT), 1);
     for (int i = 0; i < rows * d; ++i)
         assert_true(isfinite(f.coords[i]));
     free_fit(f);
@@ -97,27 +96,24 @@ static void a_hard_cut_gives_two_components(void** state) {
     for (int i = cut; i < rows; ++i)
         x[i * cols] += 1000;
     const struct fit f = fit_rows(x, rows);
-    assert_int_equal(model_int(f.model, STLTSA_INFO_COMPONENTS), 2);
-    assert_true(stltsa_model_warning_count(f.model) >= 1);
-    int64_t labels[rows];
-    const stltsa_out component_out = list_out(labels, rows);
-    must(stltsa_model_components(f.model, &component_out));
+    assert_int_equal(count_of(f.model, STLTSA_INFO_COMPONENT), 2);
+    assert_true(count_of(f.model, STLTSA_INFO_WARNING) >= 1);
+    int64_t* labels = whole_of(f.model, STLTSA_INFO_COMPONENT_OF);
     for (int i = 0; i < rows; ++i)
         assert_int_equal(labels[i], i >= cut);
+    free(labels);
     const struct fit before = fit_rows(x, cut);
     const struct fit after = fit_rows(x + cut * cols, rows - cut);
     assert_below(largest_difference(f.coords, before.coords, cut * d), 1e-10, "before the cut");
     assert_below(largest_difference(f.coords + cut * d, after.coords, (rows - cut) * d), 1e-10,
                  "after the cut");
 
-    double values[2 * (d + 2)];
-    const stltsa_out out = packed_out(values, 2, d + 2);
-    must(stltsa_model_eigenvalues(f.model, &out));
-    double alone[d + 2];
-    const stltsa_out first = packed_out(alone, 1, d + 2);
-    must(stltsa_model_eigenvalues(before.model, &first));
+    double *values = array_of(f.model, STLTSA_INFO_EIGENVALUES),
+           *alone = array_of(before.model, STLTSA_INFO_EIGENVALUES);
     for (int v = 1; v < d + 2; ++v)
         assert_below(fabs(values[v] / alone[v] - 1), 1e-9, "eigenvalue of the first component");
+    free(values);
+    free(alone);
     free_fit(after);
     free_fit(before);
     free_fit(f);
@@ -141,9 +137,9 @@ static void windows_on_a_line_are_counted(void** state) {
             x[i * cols + c] += step;
     }
     const struct fit f = fit_rows(x, rows);
-    const int64_t deficient = model_int(f.model, STLTSA_INFO_RANK_DEFICIENT);
+    const int64_t deficient = component_at(f.model, 0).rank_deficient_windows;
     assert_in_range(deficient, end - begin - 2 * w, end - begin);
-    assert_true(stltsa_model_warning_count(f.model) >= 1);
+    assert_true(count_of(f.model, STLTSA_INFO_WARNING) >= 1);
     for (int a = 0; a < d; ++a)
         for (int b = 0; b < d; ++b) {
             double product = 0;
@@ -183,25 +179,18 @@ static void a_statue_varies_in_no_direction(void** state) {
     free(x);
 }
 
-static int says_to_scale(const stltsa_model* model) {
-    int told = 0;
-    for (int64_t i = 0; i < stltsa_model_warning_count(model); ++i)
-        told += strstr(stltsa_model_warning(model, i), "scale them") != NULL;
-    return told;
-}
-
 /* Directions next to one that is ten thousand times as large have fewer correct digits. */
 static void features_of_uneven_size_are_to_be_scaled(void** state) {
     (void)state;
     double* x = new_motion(rows, cols, 66);
     const struct fit even = fit_rows(x, rows);
-    assert_int_equal(says_to_scale(even.model), 0);
-    assert_below(model_real(even.model, STLTSA_INFO_ERROR_ESTIMATE), 1e-9, "estimate");
+    assert_int_equal(warnings_of(even.model, "scale them"), 0);
+    assert_below(component_at(even.model, 0).error_estimate_rad, 1e-9, "estimate");
     for (int i = 0; i < rows; ++i)
         x[i * cols] *= 1e4;
     const struct fit uneven = fit_rows(x, rows);
-    assert_int_equal(says_to_scale(uneven.model), 1);
-    assert_true(model_real(uneven.model, STLTSA_INFO_ERROR_ESTIMATE) > 1e-9);
+    assert_int_equal(warnings_of(uneven.model, "scale them"), 1);
+    assert_true(component_at(uneven.model, 0).error_estimate_rad > 1e-9);
     free_fit(uneven);
     free_fit(even);
     free(x);

@@ -187,11 +187,10 @@ static void lengths_take_any_stride(void** state) {
                                  8,           STLTSA_I64, 0};
     stltsa_model* model = NULL;
     must(stltsa_fit(&in, &backwards, f->options, &model));
-    int64_t labels[rows];
-    const stltsa_out out = list_out(labels, rows);
-    must(stltsa_model_components(model, &out));
+    int64_t* labels = whole_of(model, STLTSA_INFO_COMPONENT_OF);
     for (int i = 0; i < rows; ++i)
         assert_int_equal(labels[i], i >= 60);
+    free(labels);
     stltsa_model_free(model);
 }
 
@@ -205,7 +204,6 @@ static void null_is_refused(void** state) {
     stltsa_model_free(NULL);
     stltsa_options_free(NULL);
     stltsa_clip_free(NULL);
-    stltsa_dimension_free(NULL);
     stltsa_decomposition_free(NULL);
     stltsa_free(NULL);
 }
@@ -237,8 +235,7 @@ static void sizes_that_overflow(void** state) {
 
 static void options_out_of_range(void** state) {
     (void)state;
-    stltsa_options* options = NULL;
-    must(stltsa_options_new(&options));
+    stltsa_options* options = empty_options();
     assert_int_equal(stltsa_options_set_int(options, STLTSA_OPT_NEIGHBORS, 0), STLTSA_E_ARGUMENT);
     assert_int_equal(stltsa_options_set_int(options, STLTSA_OPT_DIMENSION, -1), STLTSA_E_ARGUMENT);
     assert_int_equal(stltsa_options_set_int(options, STLTSA_OPT_MODE, 9), STLTSA_E_ARGUMENT);
@@ -420,10 +417,8 @@ static void handles_survive_a_failure(void** state) {
     double* want = fit_coords(f->x, rows, cols, 2);
     const stltsa_in short_clip = packed_in(f->x, 5, cols);
     assert_fails(&short_clip, NULL, f->options, STLTSA_E_TOO_FEW_FRAMES, NULL);
-    const stltsa_in in = packed_in(f->x, rows, cols);
-    stltsa_model* model = NULL;
-    must(stltsa_fit(&in, NULL, f->options, &model));
-    double* got = new_coords(model);
+    stltsa_model* model = fitted_rows(f->x, rows, cols, f->options);
+    double* got = array_of(model, STLTSA_INFO_COORDS);
     assert_same_bits(want, got, rows * 2);
     free(got);
     stltsa_model_free(model);

@@ -219,7 +219,7 @@ static double* fit_array(const stltsa_in* in) {
     stltsa_options* options = new_options(12, 12, d);
     stltsa_model* model = NULL;
     must(stltsa_fit(in, NULL, options, &model));
-    double* coords = new_coords(model);
+    double* coords = array_of(model, STLTSA_INFO_COORDS);
     stltsa_model_free(model);
     stltsa_options_free(options);
     return coords;
@@ -302,8 +302,8 @@ static void order_of_clips_only_permutes(void** state) {
         stltsa_model* model = NULL;
         const stltsa_in list = list_in(lengths, clips);
         must(stltsa_fit(&in, &list, options, &model));
-        assert_int_equal(model_int(model, STLTSA_INFO_COMPONENTS), clips);
-        double* together = new_coords(model);
+        assert_int_equal(count_of(model, STLTSA_INFO_COMPONENT), clips);
+        double* together = array_of(model, STLTSA_INFO_COORDS);
         at = 0;
         for (int p = 0; p < clips; ++p) {
             double* alone = fit_coords(x + at * cols, lengths[p], cols, d);

@@ -62,13 +62,11 @@ static void circle_in_one_dimension_is_arc_length(void** state) {
     for (int64_t i = 0; i < frames; ++i)
         length[i] = (double)i;
     stltsa_options* options = new_options(12, 12, 1);
-    const stltsa_in in = packed_in(circle, frames, 2);
-    stltsa_model* model = NULL;
-    must(stltsa_fit(&in, NULL, options, &model));
-    double* coords = new_coords(model);
+    stltsa_model* model = fitted_rows(circle, frames, 2, options);
+    double* coords = array_of(model, STLTSA_INFO_COORDS);
     assert_below(affine_misfit(coords, 1, length, frames, 1), 1e-3, "misfit of the length");
-    assert_below(1 - model_real(model, STLTSA_INFO_TIME_CORRELATION), 1e-12, "1 - correlation");
-    assert_true(stltsa_model_warning_count(model) >= 1);
+    assert_below(1 - real_of(model, STLTSA_INFO_TIME_CORRELATION), 1e-12, "1 - correlation");
+    assert_true(count_of(model, STLTSA_INFO_WARNING) >= 1);
     free(coords);
     stltsa_model_free(model);
     stltsa_options_free(options);

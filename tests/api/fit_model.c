@@ -14,10 +14,9 @@ static int set_up(void** state) {
     struct fixture* f = calloc(1, sizeof *f);
     f->x = new_motion(rows, cols, 11);
     stltsa_options* options = new_options(12, 14, d);
-    const stltsa_in in = packed_in(f->x, rows, cols);
-    must(stltsa_fit(&in, NULL, options, &f->model));
+    f->model = fitted_rows(f->x, rows, cols, options);
     stltsa_options_free(options);
-    f->coords = new_coords(f->model);
+    f->coords = array_of(f->model, STLTSA_INFO_COORDS);
     *state = f;
     return 0;
 }
@@ -73,77 +72,49 @@ static void entry_of_largest_size_is_positive(void** state) {
 
 static void eigenvalues_ascend_from_zero(void** state) {
     const struct fixture* f = *state;
-    double values[d + 2];
-    const stltsa_out out = packed_out(values, 1, d + 2);
-    must(stltsa_model_eigenvalues(f->model, &out));
+    double* values = array_of(f->model, STLTSA_INFO_EIGENVALUES);
     assert_true(values[0] == 0);
     for (int v = 1; v < d + 2; ++v)
         assert_true(values[v] > 0 && values[v] >= values[v - 1]);
-    assert_below(fabs(model_real(f->model, STLTSA_INFO_GAP) - values[d + 1] / values[d]), 1e-12,
+    assert_below(fabs(component_at(f->model, 0).gap - values[d + 1] / values[d]), 1e-12,
                  "gap against eigenvalues");
+    free(values);
 }
 
 static void model_says_what_it_did(void** state) {
     const struct fixture* f = *state;
-    assert_int_equal(model_int(f->model, STLTSA_INFO_ROWS), rows);
-    assert_int_equal(model_int(f->model, STLTSA_INFO_FEATURE_COUNT), cols);
-    assert_int_equal(model_int(f->model, STLTSA_INFO_DIMENSION), d);
-    assert_int_equal(model_int(f->model, STLTSA_INFO_NEIGHBORS), 12);
-    assert_int_equal(model_int(f->model, STLTSA_INFO_WINDOW), 14);
-    assert_int_equal(model_int(f->model, STLTSA_INFO_MODE), STLTSA_MODE_TEMPORAL);
-    assert_int_equal(model_int(f->model, STLTSA_INFO_INCLUDE_SELF), 1);
-    assert_int_equal(model_int(f->model, STLTSA_INFO_COMPONENTS), 1);
-    assert_int_equal(model_int(f->model, STLTSA_INFO_REPEATED), 0);
-    assert_int_equal(model_int(f->model, STLTSA_INFO_RANK_DEFICIENT), 0);
-    assert_int_equal(model_int(f->model, STLTSA_INFO_FIRST_FRAME), 0);
-    assert_int_equal(model_int(f->model, STLTSA_INFO_FRAME_STEP), 1);
-    assert_in_range(model_int(f->model, STLTSA_INFO_SOLVES), 1, 200);
-    assert_true(model_real(f->model, STLTSA_INFO_FPS) == 0);
-    assert_below(model_real(f->model, STLTSA_INFO_RESIDUAL), 1e-12, "residual");
-    assert_below(model_real(f->model, STLTSA_INFO_ERROR_ESTIMATE), 1e-7, "error estimate");
-    assert_true(model_real(f->model, STLTSA_INFO_ERROR_ESTIMATE) > 0);
-}
-
-static void warnings_past_the_end_are_empty(void** state) {
-    const struct fixture* f = *state;
-    assert_string_equal(stltsa_model_warning(f->model, 1000), "");
-    assert_string_equal(stltsa_model_warning(f->model, -1), "");
-}
-
-static void outputs_of_the_wrong_shape_are_refused(void** state) {
-    const struct fixture* f = *state;
-    double* coords = new_matrix(rows, d + 1);
-    stltsa_out out = packed_out(coords, rows, d + 1);
-    assert_int_equal(stltsa_model_coords(f->model, &out), STLTSA_E_SHAPE);
-    out = packed_out(coords, rows - 1, d);
-    assert_int_equal(stltsa_model_coords(f->model, &out), STLTSA_E_SHAPE);
-    out = packed_out(NULL, rows, d);
-    assert_int_equal(stltsa_model_coords(f->model, &out), STLTSA_E_ARGUMENT);
-    for (int i = 0; i < rows * (d + 1); ++i)
-        assert_true(coords[i] == 0);
-    int64_t labels[rows + 1] = {77};
-    const stltsa_out bad[] = {list_out(labels, rows - 1), list_out(labels, rows + 1),
-                              list_out(NULL, rows), packed_out(coords, rows, 1)};
-    for (int b = 0; b < 4; ++b)
-        assert_int_equal(stltsa_model_components(f->model, &bad[b]),
-                         b < 2 ? STLTSA_E_SHAPE : STLTSA_E_ARGUMENT);
-    assert_int_equal(stltsa_model_components(f->model, NULL), STLTSA_E_ARGUMENT);
-    assert_int_equal(labels[0], 77);
-    free(coords);
+    assert_int_equal(int_of(f->model, STLTSA_INFO_ROWS), rows);
+    assert_int_equal(int_of(f->model, STLTSA_INFO_FEATURE_COUNT), cols);
+    assert_int_equal(int_of(f->model, STLTSA_INFO_DIMENSION), d);
+    assert_int_equal(int_of(f->model, STLTSA_INFO_NEIGHBORS), 12);
+    assert_int_equal(int_of(f->model, STLTSA_INFO_WINDOW), 14);
+    assert_int_equal(int_of(f->model, STLTSA_INFO_MODE), STLTSA_MODE_TEMPORAL);
+    assert_int_equal(int_of(f->model, STLTSA_INFO_INCLUDE_SELF), 1);
+    assert_int_equal(count_of(f->model, STLTSA_INFO_COMPONENT), 1);
+    assert_int_equal(int_of(f->model, STLTSA_INFO_REPEATED), 0);
+    assert_int_equal(component_at(f->model, 0).rank_deficient_windows, 0);
+    assert_int_equal(int_of(f->model, STLTSA_INFO_FIRST_FRAME), 0);
+    assert_int_equal(int_of(f->model, STLTSA_INFO_FRAME_STEP), 1);
+    assert_in_range(component_at(f->model, 0).solves, 1, 200);
+    assert_true(real_of(f->model, STLTSA_INFO_FPS) == 0);
+    assert_below(component_at(f->model, 0).residual, 1e-12, "residual");
+    assert_below(component_at(f->model, 0).error_estimate_rad, 1e-7, "error estimate");
+    assert_true(component_at(f->model, 0).error_estimate_rad > 0);
 }
 
 static void outputs_take_any_stride_and_type(void** state) {
     const struct fixture* f = *state;
+    const stltsa_info* info = stltsa_model_info(f->model);
     double transposed[d * rows];
     const stltsa_out t = {transposed, rows, d, sizeof(double), rows * (int64_t)sizeof(double),
                           STLTSA_F64, 0};
-    must(stltsa_model_coords(f->model, &t));
+    must(stltsa_info_array(info, STLTSA_INFO_COORDS, 0, &t));
     float narrow[2 * rows * d];
     for (int i = 0; i < 2 * rows * d; ++i)
         narrow[i] = 7;
     const stltsa_out gaps = {narrow,     rows, d, 2 * d * (int64_t)sizeof(float), 2 * sizeof(float),
                              STLTSA_F32, 0};
-    must(stltsa_model_coords(f->model, &gaps));
+    must(stltsa_info_array(info, STLTSA_INFO_COORDS, 0, &gaps));
     for (int i = 0; i < rows; ++i)
         for (int a = 0; a < d; ++a) {
             assert_true(transposed[a * rows + i] == f->coords[i * d + a]);
@@ -154,12 +125,10 @@ static void outputs_take_any_stride_and_type(void** state) {
 
 static void every_frame_has_its_component(void** state) {
     const struct fixture* f = *state;
-    int64_t labels[rows];
-    memset(labels, 0xff, sizeof labels);
-    const stltsa_out out = list_out(labels, rows);
-    must(stltsa_model_components(f->model, &out));
+    int64_t* labels = whole_of(f->model, STLTSA_INFO_COMPONENT_OF);
     for (int i = 0; i < rows; ++i)
         assert_int_equal(labels[i], 0);
+    free(labels);
 }
 
 int main(void) {
@@ -168,8 +137,6 @@ int main(void) {
         cmocka_unit_test(entry_of_largest_size_is_positive),
         cmocka_unit_test(eigenvalues_ascend_from_zero),
         cmocka_unit_test(model_says_what_it_did),
-        cmocka_unit_test(warnings_past_the_end_are_empty),
-        cmocka_unit_test(outputs_of_the_wrong_shape_are_refused),
         cmocka_unit_test(outputs_take_any_stride_and_type),
         cmocka_unit_test(every_frame_has_its_component),
     };

@@ -10,9 +10,7 @@ static stltsa_options* new_mode_options(int64_t k, int64_t d, int64_t mode) {
 
 static stltsa_model* fit_mode(const double* x, int64_t rows, int64_t cols,
                               const stltsa_options* options) {
-    const stltsa_in in = packed_in(x, rows, cols);
-    stltsa_model* model = NULL;
-    must(stltsa_fit(&in, NULL, options, &model));
+    stltsa_model* model = fitted_rows(x, rows, cols, options);
     return model;
 }
 
@@ -39,8 +37,8 @@ static void swiss_roll_is_unrolled(void** state) {
     double* x = new_swiss_roll(rows, sheet);
     stltsa_options* options = new_mode_options(12, 2, STLTSA_MODE_SPATIAL);
     stltsa_model* model = fit_mode(x, rows, 3, options);
-    assert_int_equal(model_int(model, STLTSA_INFO_COMPONENTS), 1);
-    double* coords = new_coords(model);
+    assert_int_equal(count_of(model, STLTSA_INFO_COMPONENT), 1);
+    double* coords = array_of(model, STLTSA_INFO_COORDS);
     assert_below(affine_misfit(coords, 2, sheet, rows, 2), 0.05, "misfit of the unrolled sheet");
     free(coords);
     stltsa_model_free(model);
@@ -61,8 +59,8 @@ static void order_of_frames_only_permutes(void** state) {
     stltsa_options* options = new_mode_options(14, d, STLTSA_MODE_SPATIAL);
     stltsa_model* a = fit_mode(x, rows, cols, options);
     stltsa_model* b = fit_mode(shuffled, rows, cols, options);
-    double* want = new_coords(a);
-    double* got = new_coords(b);
+    double* want = array_of(a, STLTSA_INFO_COORDS);
+    double* got = array_of(b, STLTSA_INFO_COORDS);
     for (int i = 0; i < rows; ++i)
         assert_below(largest_difference(want + i * d, got + (i * 7 + 5) % rows * d, d), 1e-9,
                      "change by order of frames");
@@ -86,8 +84,8 @@ static void number_of_threads_changes_no_bit(void** state) {
         stltsa_model* a = fit_mode(x, rows, cols, options);
         must(stltsa_options_set_int(options, STLTSA_OPT_THREADS, 2));
         stltsa_model* b = fit_mode(x, rows, cols, options);
-        double* want = new_coords(a);
-        double* got = new_coords(b);
+        double* want = array_of(a, STLTSA_INFO_COORDS);
+        double* got = array_of(b, STLTSA_INFO_COORDS);
         assert_same_bits(want, got, rows * d);
         free(got);
         free(want);
@@ -110,9 +108,9 @@ static void links_close_the_loop(void** state) {
     }
     stltsa_options* options = new_mode_options(12, d, STLTSA_MODE_RECURRENT);
     stltsa_model* model = fit_mode(x, rows, cols, options);
-    assert_int_equal(model_int(model, STLTSA_INFO_COMPONENTS), 1);
-    assert_in_range(model_int(model, STLTSA_INFO_LINKS), 1, 12);
-    double* coords = new_coords(model);
+    assert_int_equal(count_of(model, STLTSA_INFO_COMPONENT), 1);
+    assert_in_range(int_of(model, STLTSA_INFO_LINKS), 1, 12);
+    double* coords = array_of(model, STLTSA_INFO_COORDS);
     double largest = 0;
     for (int i = 0; i < rows * d; ++i)
         largest = fmax(largest, fabs(coords[i]));
@@ -140,7 +138,7 @@ static void links_join_clips(void** state) {
             new_mode_options(12, d, linked ? STLTSA_MODE_RECURRENT : STLTSA_MODE_TEMPORAL);
         stltsa_model* model = NULL;
         must(stltsa_fit(&in, &clips, options, &model));
-        assert_int_equal(model_int(model, STLTSA_INFO_COMPONENTS), linked ? 1 : 2);
+        assert_int_equal(count_of(model, STLTSA_INFO_COMPONENT), linked ? 1 : 2);
         stltsa_model_free(model);
         stltsa_options_free(options);
     }

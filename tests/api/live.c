@@ -2,52 +2,41 @@
 /* The phase of a stream, through the public API. */
 #include "support.h"
 
-static const char* walker_path;
-
 typedef struct {
     stltsa_model* model;
     stltsa_phase* phase;
     double *features, *offline;
     int64_t frames, count;
-} walk;
+} stream;
 
-static walk opened(void) {
-    walk w = {NULL, NULL, NULL, NULL, 0, 0};
-    stltsa_clip* clip = NULL;
-    stltsa_decomposition* found = NULL;
-    must(stltsa_clip_open(walker_path, NULL, &clip));
-    must(stltsa_fit_clip(clip, NULL, &w.model));
-    must(stltsa_decompose(clip, NULL, &found));
-    must(stltsa_phase_find(found, NULL, &w.phase));
+static stream taught(void) {
+    stream w = {NULL, NULL, NULL, NULL, 0, 0};
+    stltsa_clip* clip = opened();
+    w.model = fitted_clip(clip, NULL);
+    w.phase = phase_of(clip, NULL);
     w.frames = stltsa_clip_frames(clip);
-    must(stltsa_clip_feature_count(clip, NULL, &w.count));
-    w.features = new_matrix(w.frames, w.count);
-    w.offline = new_matrix(w.frames, 1);
-    const stltsa_out features = packed_out(w.features, w.frames, w.count),
-                     offline = packed_out(w.offline, w.frames, 1);
-    must(stltsa_clip_features(clip, NULL, &features));
-    must(stltsa_phase_values(w.phase, &offline, NULL, NULL));
-    stltsa_decomposition_free(found);
+    w.features = new_features(clip, NULL, &w.count);
+    w.offline = array_of(w.phase, STLTSA_INFO_PHASE);
     stltsa_clip_free(clip);
     return w;
 }
 
-static void closed(walk w) {
+static void forgotten(stream w) {
     stltsa_model_free(w.model);
     stltsa_phase_free(w.phase);
     free(w.features);
     free(w.offline);
 }
 
-static stltsa_live* started(walk w) {
-    must(stltsa_model_keep_cycle(w.model, w.phase));
+static stltsa_live* started(stream w) {
+    must(stltsa_model_keep_cycle(w.model, w.phase, NULL));
     must(stltsa_model_keep_mark(w.model, w.phase, 250, "strike"));
     stltsa_live* live = NULL;
     must(stltsa_live_new(w.model, &live));
     return live;
 }
 
-static stltsa_live_frame pushed(stltsa_live* live, walk w, int64_t frame, double seconds) {
+static stltsa_live_frame pushed(stltsa_live* live, stream w, int64_t frame, double seconds) {
     stltsa_live_frame found;
     found.size = sizeof found;
     const stltsa_in row = packed_in(w.features + frame * w.count, 1, w.count);
@@ -61,13 +50,12 @@ static double off(double a, double b) {
 
 static void the_stream_has_the_phase_of_the_clip(void** state) {
     (void)state;
-    walk w = opened();
-    assert_int_equal(stltsa_model_has_cycle(w.model), 0);
+    stream w = taught();
+    assert_int_equal(int_of(w.model, STLTSA_INFO_HAS_CYCLE), 0);
     stltsa_live* live = started(w);
-    assert_int_equal(stltsa_model_has_cycle(w.model), 1);
-    assert_int_equal(stltsa_live_mark_count(live), 1);
-    assert_string_equal(stltsa_live_mark_name(live, 0), "strike");
-    assert_string_equal(stltsa_live_mark_name(live, 1), "");
+    assert_int_equal(int_of(w.model, STLTSA_INFO_HAS_CYCLE), 1);
+    assert_int_equal(count_of(live, STLTSA_INFO_MARK), 1);
+    assert_string_equal(text_of(live, STLTSA_INFO_MARK), "strike");
     int64_t inside = 0, passed = 0;
     double sum = 0;
     for (int64_t i = 0; i < w.frames; ++i) {
@@ -85,14 +73,26 @@ static void the_stream_has_the_phase_of_the_clip(void** state) {
     assert_below(sum / (double)inside, 0.005, "mean error of the phase");
     assert_int_equal(passed, 3); /* once in each cycle */
     stltsa_live_free(live);
-    closed(w);
+    forgotten(w);
+}
+
+static stltsa_status keep(void* user, const stltsa_options* options) {
+    const stream* w = user;
+    return stltsa_model_keep_cycle(w->model, w->phase, options);
+}
+
+static void keeping_can_be_cancelled(void** state) {
+    (void)state;
+    stream w = taught();
+    assert_in_range(cancelled_calls(keep, &w), 1, 1000);
+    forgotten(w);
 }
 
 /* Its first phases jump. The body stands, and all places of the cycle are alike. */
 static void no_mark_is_passed_before_the_filter_settles(void** state) {
     (void)state;
-    walk w = opened();
-    must(stltsa_model_keep_cycle(w.model, w.phase));
+    stream w = taught();
+    must(stltsa_model_keep_cycle(w.model, w.phase, NULL));
     for (int i = 0; i < 12; ++i) {
         const char name[] = {(char)('a' + i), 0};
         must(stltsa_model_keep_mark(w.model, w.phase, 230 + 11 * i, name));
@@ -108,13 +108,13 @@ static void no_mark_is_passed_before_the_filter_settles(void** state) {
     }
     assert_int_equal(later, (1 << 12) - 1);
     stltsa_live_free(live);
-    closed(w);
+    forgotten(w);
 }
 
 /* Two streams side by side do not disturb each other; a saved model gives the same bits. */
 static void streams_are_independent(void** state) {
     (void)state;
-    walk w = opened();
+    stream w = taught();
     stltsa_live *one = started(w), *two = NULL, *again = NULL;
     unsigned char* bytes = NULL;
     size_t size = 0;
@@ -134,13 +134,13 @@ static void streams_are_independent(void** state) {
     stltsa_live_free(one);
     stltsa_live_free(two);
     stltsa_live_free(again);
-    closed(w);
+    forgotten(w);
 }
 
 /* Dropped and missing frames, a jump, a stop and a restart. */
 static void streams_survive(void** state) {
     (void)state;
-    walk w = opened();
+    stream w = taught();
     stltsa_live* live = started(w);
     stltsa_live_frame frame;
     for (int64_t i = 150; i < 500; ++i) {
@@ -173,13 +173,13 @@ static void streams_survive(void** state) {
         frame = pushed(live, w, i, (double)(i - 300) / 120);
     assert_below(off(frame.phase, w.offline[359]), 0.03, "error after a restart");
     stltsa_live_free(live);
-    closed(w);
+    forgotten(w);
 }
 
 /* What was before leaves no trace when time falls by more than 0.25 s, or after a second. */
 static void a_restarted_stream_is_a_new_one(void** state) {
     (void)state;
-    walk w = opened();
+    stream w = taught();
     const double ends[] = {0.26, 100, -1.1}; /* the last time before, after the first one then */
     for (size_t k = 0; k < sizeof ends / sizeof *ends; ++k) {
         stltsa_live *anew = started(w), *fresh = NULL;
@@ -195,16 +195,16 @@ static void a_restarted_stream_is_a_new_one(void** state) {
         }
         stltsa_live_free(anew);
         stltsa_live_free(fresh);
-        must(stltsa_model_keep_cycle(w.model, w.phase)); /* without the mark */
+        must(stltsa_model_keep_cycle(w.model, w.phase, NULL)); /* without the mark */
     }
-    closed(w);
+    forgotten(w);
 }
 
 /* The longer nothing is known, the more likely the body has stopped: from frame to frame a little.
  */
 static void rest_becomes_likely_evenly(void** state) {
     (void)state;
-    walk w = opened();
+    stream w = taught();
     stltsa_live* live = started(w);
     double rate = 0, step = 0;
     for (int64_t i = 200; i < 300; ++i)
@@ -219,13 +219,13 @@ static void rest_becomes_likely_evenly(void** state) {
         rate = next;
     }
     stltsa_live_free(live);
-    closed(w);
+    forgotten(w);
 }
 
 /* A time that cannot be one is an error, and the frame is not taken. */
 static void absurd_times_leave_no_trace(void** state) {
     (void)state;
-    walk w = opened();
+    stream w = taught();
     const double absurd[] = {NAN, INFINITY, -INFINITY, 1e15, -1e13, 1e300};
     stltsa_live *live = started(w), *other = NULL;
     must(stltsa_live_new(w.model, &other));
@@ -233,8 +233,8 @@ static void absurd_times_leave_no_trace(void** state) {
         const stltsa_in row = packed_in(w.features + 400 * w.count, 1, w.count);
         stltsa_live_frame none;
         none.size = sizeof none;
-        assert_int_equal(stltsa_live_push(live, absurd[i % 6], &row, &none), STLTSA_E_ARGUMENT);
-        assert_non_null(strstr(stltsa_last_error(), "count from the first frame"));
+        must_fail(stltsa_live_push(live, absurd[i % 6], &row, &none), STLTSA_E_ARGUMENT,
+                  "count from the first frame");
         const stltsa_live_frame a = pushed(live, w, i, (double)i / 120),
                                 b = pushed(other, w, i, (double)i / 120);
         assert_memory_equal(&a, &b, sizeof a);
@@ -245,13 +245,13 @@ static void absurd_times_leave_no_trace(void** state) {
     }
     stltsa_live_free(live);
     stltsa_live_free(other);
-    closed(w);
+    forgotten(w);
 }
 
 /* Coarse clocks give several frames one time, late packets an earlier one. */
 static void clocks_may_be_coarse(void** state) {
     (void)state;
-    walk w = opened();
+    stream w = taught();
     stltsa_live *coarse = started(w), *even = started(w);
     stltsa_live_frame frame, right;
     int64_t passed = 0;
@@ -271,13 +271,13 @@ static void clocks_may_be_coarse(void** state) {
     assert_int_equal(passed, 2); /* at 250 and 382 */
     stltsa_live_free(coarse);
     stltsa_live_free(even);
-    closed(w);
+    forgotten(w);
 }
 
 /* A number that is no pose is a missing frame: it leaves no trace in the filter. */
 static void huge_numbers_do_no_harm(void** state) {
     (void)state;
-    walk w = opened();
+    stream w = taught();
     const double huge[] = {1e300, -1e30, 1e9, INFINITY, NAN};
     for (size_t k = 0; k < sizeof huge / sizeof *huge; ++k) {
         stltsa_live *live = started(w), *missed = started(w);
@@ -301,13 +301,13 @@ static void huge_numbers_do_no_harm(void** state) {
         stltsa_live_free(live);
         stltsa_live_free(missed);
     }
-    closed(w);
+    forgotten(w);
 }
 
 /* The longer frames are missing, the less the phase is known. */
 static void confidence_falls_while_frames_are_missing(void** state) {
     (void)state;
-    walk w = opened();
+    stream w = taught();
     stltsa_live* live = started(w);
     stltsa_live_frame frame;
     for (int64_t i = 200; i < 300; ++i)
@@ -326,12 +326,12 @@ static void confidence_falls_while_frames_are_missing(void** state) {
     frame = pushed(live, w, 300, 450 / 120.0);
     assert_true(frame.confidence == 0);
     stltsa_live_free(live);
-    closed(w);
+    forgotten(w);
 }
 
 static void other_motion_is_not_known(void** state) {
     (void)state;
-    walk w = opened();
+    stream w = taught();
     stltsa_live* live = started(w);
     for (int64_t i = 200; i < 400; ++i)
         pushed(live, w, i, (double)i / 120);
@@ -349,14 +349,14 @@ static void other_motion_is_not_known(void** state) {
     }
     assert_true(told >= 0 && told < 400 + 24); /* 0.2 s */
     stltsa_live_free(live);
-    closed(w);
+    forgotten(w);
 }
 
 /* Columns of single precision that are 12 bytes apart give what the same numbers give as doubles.
  */
 static void frames_may_be_floats_with_strides(void** state) {
     (void)state;
-    walk w = opened();
+    stream w = taught();
     stltsa_live *live = started(w), *other = NULL;
     must(stltsa_live_new(w.model, &other));
     float* spread = calloc((size_t)(3 * w.count), sizeof *spread);
@@ -379,19 +379,19 @@ static void frames_may_be_floats_with_strides(void** state) {
     free(spread);
     stltsa_live_free(other);
     stltsa_live_free(live);
-    closed(w);
+    forgotten(w);
 }
 
 static void wrong_arguments_are_named(void** state) {
     (void)state;
-    walk w = opened();
+    stream w = taught();
     stltsa_live* live = NULL;
     assert_int_equal(stltsa_live_new(w.model, &live), STLTSA_E_UNSUPPORTED);
     assert_null(live);
     assert_int_equal(stltsa_model_keep_mark(w.model, w.phase, 250, "a"), STLTSA_E_ARGUMENT);
     live = started(w);
-    assert_int_equal(stltsa_model_keep_mark(w.model, w.phase, 2, "a"), STLTSA_E_ARGUMENT);
-    assert_non_null(strstr(stltsa_last_error(), "lies in no cycle"));
+    must_fail(stltsa_model_keep_mark(w.model, w.phase, 2, "a"), STLTSA_E_ARGUMENT,
+              "lies in no cycle");
     assert_int_equal(stltsa_model_keep_mark(w.model, w.phase, 250, ""), STLTSA_E_ARGUMENT);
     stltsa_live_frame frame;
     frame.size = sizeof frame;
@@ -401,39 +401,34 @@ static void wrong_arguments_are_named(void** state) {
     assert_int_equal(stltsa_live_push(live, NAN, &right, &frame), STLTSA_E_ARGUMENT);
     stltsa_in integers = right, none = right;
     integers.dtype = STLTSA_I64;
-    assert_int_equal(stltsa_live_push(live, 0, &integers, &frame), STLTSA_E_ARGUMENT);
-    assert_non_null(strstr(stltsa_last_error(), "it must be STLTSA_F64 or STLTSA_F32"));
+    must_fail(stltsa_live_push(live, 0, &integers, &frame), STLTSA_E_ARGUMENT,
+              "it must be STLTSA_F64 or STLTSA_F32");
     none.data = NULL;
-    assert_int_equal(stltsa_live_push(live, 0, &none, &frame), STLTSA_E_ARGUMENT);
-    assert_non_null(strstr(stltsa_last_error(), "data is NULL"));
+    must_fail(stltsa_live_push(live, 0, &none, &frame), STLTSA_E_ARGUMENT, "data is NULL");
     frame.size = 3;
     assert_int_equal(stltsa_live_push(live, 0, &right, &frame), STLTSA_E_ARGUMENT);
     for (int i = 1; i < 62; ++i)
         must(stltsa_model_keep_mark(w.model, w.phase, 250, "again"));
-    assert_int_equal(stltsa_model_keep_mark(w.model, w.phase, 250, "b"), STLTSA_E_ARGUMENT);
-    assert_non_null(strstr(stltsa_last_error(), "at most 62 marks"));
+    must_fail(stltsa_model_keep_mark(w.model, w.phase, 250, "b"), STLTSA_E_ARGUMENT,
+              "at most 62 marks");
     enum { rows = 200, cols = 4 };
     double* x = new_motion(rows, cols, 2);
     const stltsa_in in = packed_in(x, rows, cols);
     stltsa_model* other = NULL;
     must(stltsa_fit(&in, NULL, NULL, &other));
-    assert_int_equal(stltsa_model_keep_cycle(other, w.phase), STLTSA_E_SHAPE);
-    assert_int_equal(stltsa_model_has_cycle(other), 0);
-    assert_int_equal(stltsa_model_has_cycle(NULL), 0);
-    assert_int_equal(stltsa_live_mark_count(NULL), 0);
+    assert_int_equal(stltsa_model_keep_cycle(other, w.phase, NULL), STLTSA_E_SHAPE);
+    assert_int_equal(int_of(other, STLTSA_INFO_HAS_CYCLE), 0);
     stltsa_live_free(NULL);
     stltsa_live_free(live);
     stltsa_model_free(other);
     free(x);
-    closed(w);
+    forgotten(w);
 }
 
 int main(int argc, char** argv) {
-    if (argc != 2)
-        return 2;
-    walker_path = argv[1];
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_stream_has_the_phase_of_the_clip),
+        cmocka_unit_test(keeping_can_be_cancelled),
         cmocka_unit_test(no_mark_is_passed_before_the_filter_settles),
         cmocka_unit_test(streams_are_independent),
         cmocka_unit_test(streams_survive),
@@ -447,5 +442,5 @@ int main(int argc, char** argv) {
         cmocka_unit_test(frames_may_be_floats_with_strides),
         cmocka_unit_test(wrong_arguments_are_named),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_on_walker(tests, argc, argv);
 }

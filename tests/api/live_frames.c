@@ -4,8 +4,6 @@
 
 #include "support.h"
 
-static const char* walker_path;
-
 /* A clip, its model with a mean cycle, and the phase of the whole clip. */
 typedef struct {
     stltsa_clip* clip;
@@ -16,17 +14,11 @@ typedef struct {
 
 static taught taught_with(stltsa_clip* clip, const stltsa_options* options) {
     taught t = {clip, NULL, NULL, stltsa_clip_frames(clip)};
-    stltsa_decomposition* found = NULL;
-    stltsa_phase* phase = NULL;
-    must(stltsa_fit_clip(clip, options, &t.model));
-    must(stltsa_decompose(clip, options, &found));
-    must(stltsa_phase_find(found, options, &phase));
-    must(stltsa_model_keep_cycle(t.model, phase));
-    t.offline = new_matrix(t.frames, 1);
-    const stltsa_out offline = packed_out(t.offline, t.frames, 1);
-    must(stltsa_phase_values(phase, &offline, NULL, NULL));
+    t.model = fitted_clip(clip, options);
+    stltsa_phase* phase = phase_of(clip, options);
+    must(stltsa_model_keep_cycle(t.model, phase, NULL));
+    t.offline = array_of(phase, STLTSA_INFO_PHASE);
     stltsa_phase_free(phase);
-    stltsa_decomposition_free(found);
     return t;
 }
 
@@ -46,20 +38,12 @@ static stltsa_live* stream_of(taught t) {
     return live;
 }
 
-static stltsa_clip* walker(void) {
-    stltsa_clip* clip = NULL;
-    must(stltsa_clip_open(walker_path, NULL, &clip));
-    return clip;
-}
-
 /* The joints of the walker as points. */
 static double* walker_points(int64_t* frames, int64_t* points) {
-    stltsa_clip* clip = walker();
+    stltsa_clip* clip = opened();
     *frames = stltsa_clip_frames(clip);
-    *points = stltsa_clip_joints(clip);
-    double* x = new_matrix(*frames, 3 * *points);
-    const stltsa_out out = packed_out(x, *frames, 3 * *points);
-    must(stltsa_clip_positions(clip, &out));
+    *points = count_of(clip, STLTSA_INFO_JOINT);
+    double* x = array_of(clip, STLTSA_INFO_POSITIONS);
     stltsa_clip_free(clip);
     return x;
 }
@@ -188,7 +172,7 @@ static void no_frame_depends_on_later_ones(void** state) {
     for (int64_t i = 0; i < frames; ++i) /* one point after another is lost for a while */
         x[3 * (points * i + i / 40 % points)] = NAN;
     for (int skeleton = 0; skeleton < 2; ++skeleton) {
-        taught t = taught_by(skeleton ? walker() : clip_of(x, frames, points));
+        taught t = taught_by(skeleton ? opened() : clip_of(x, frames, points));
         stltsa_live *one = stream_of(t), *all = stream_of(t);
         for (int64_t i = 100; i < 400; ++i) {
             char name[32];
@@ -212,17 +196,11 @@ static void no_frame_depends_on_later_ones(void** state) {
 /* Quaternions, matrices and channels of a pose are one frame. */
 static void poses_are_followed_in_every_form(void** state) {
     (void)state;
-    taught t = taught_by(walker());
-    const int64_t joints = stltsa_clip_joints(t.clip), channels = stltsa_clip_channels(t.clip);
-    double *q = new_matrix(t.frames, 4 * joints), *raw = new_matrix(t.frames, channels);
+    taught t = taught_by(opened());
+    const int64_t joints = count_of(t.clip, STLTSA_INFO_JOINT),
+                  channels = int_of(t.clip, STLTSA_INFO_CHANNELS);
+    double *q = array_of(t.clip, STLTSA_INFO_ROTATIONS), *raw = new_channels(t.clip);
     double* m = new_matrix(joints, 9);
-    stltsa_options* options = NULL;
-    const stltsa_out turns = packed_out(q, t.frames, 4 * joints),
-                     values = packed_out(raw, t.frames, channels);
-    must(stltsa_options_new(&options));
-    must(stltsa_options_set_int(options, STLTSA_OPT_FEATURES, STLTSA_FEATURES_RAW));
-    must(stltsa_clip_rotations(t.clip, &turns));
-    must(stltsa_clip_features(t.clip, options, &values));
     stltsa_live* lives[4] = {stream_of(t), stream_of(t), stream_of(t), stream_of(t)};
     stltsa_live_frame now[4];
     for (int64_t i = 0; i < t.frames; ++i) {
@@ -264,7 +242,6 @@ static void poses_are_followed_in_every_form(void** state) {
     assert_non_null(strstr(stltsa_last_error(), "is no rotation"));
     for (int k = 0; k < 4; ++k)
         stltsa_live_free(lives[k]);
-    stltsa_options_free(options);
     free(q);
     free(m);
     free(raw);
@@ -275,7 +252,7 @@ static void other_forms_are_refused(void** state) {
     (void)state;
     int64_t frames, points;
     double* x = walker_points(&frames, &points);
-    taught body = taught_by(walker()), marks = taught_by(clip_of(x, frames, points));
+    taught body = taught_by(opened()), marks = taught_by(clip_of(x, frames, points));
     stltsa_live *of_body = stream_of(body), *of_marks = stream_of(marks);
     const stltsa_in three = packed_in(x, points, 3), few = packed_in(x, points - 1, 3),
                     turns = packed_in(x, points, 4);
@@ -305,15 +282,10 @@ static void other_forms_are_refused(void** state) {
  * frames at nearly the same time do harm. */
 static void a_wrong_frame_of_angles_is_forgotten(void** state) {
     (void)state;
-    stltsa_options* options = NULL;
-    must(stltsa_options_new(&options));
-    must(stltsa_options_set_int(options, STLTSA_OPT_FEATURES, STLTSA_FEATURES_EULER));
-    taught t = taught_with(walker(), options);
-    const int64_t channels = stltsa_clip_channels(t.clip);
-    double* raw = new_matrix(t.frames, channels);
-    const stltsa_out values = packed_out(raw, t.frames, channels);
-    must(stltsa_options_set_int(options, STLTSA_OPT_FEATURES, STLTSA_FEATURES_RAW));
-    must(stltsa_clip_features(t.clip, options, &values));
+    stltsa_options* options = with_int(STLTSA_OPT_FEATURES, STLTSA_FEATURES_EULER);
+    taught t = taught_with(opened(), options);
+    const int64_t channels = int_of(t.clip, STLTSA_INFO_CHANNELS);
+    double* raw = new_channels(t.clip);
     stltsa_live* live = stream_of(t);
     stltsa_live_frame now;
     now.size = sizeof now;
@@ -338,9 +310,6 @@ static void a_wrong_frame_of_angles_is_forgotten(void** state) {
 }
 
 int main(int argc, char** argv) {
-    if (argc != 2)
-        return 2;
-    walker_path = argv[1];
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(points_are_followed_frame_by_frame),
         cmocka_unit_test(points_may_be_lost),
@@ -349,5 +318,5 @@ int main(int argc, char** argv) {
         cmocka_unit_test(other_forms_are_refused),
         cmocka_unit_test(a_wrong_frame_of_angles_is_forgotten),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_on_walker(tests, argc, argv);
 }

@@ -7,9 +7,7 @@ enum { rows = 400, cols = 20 };
 
 static stltsa_model* fitted(const double* x, int64_t count, int64_t k, int64_t d) {
     stltsa_options* options = new_options(k, k, d);
-    const stltsa_in in = packed_in(x, count, cols);
-    stltsa_model* model = NULL;
-    must(stltsa_fit(&in, NULL, options, &model));
+    stltsa_model* model = fitted_rows(x, count, cols, options);
     stltsa_options_free(options);
     return model;
 }
@@ -18,7 +16,7 @@ static stltsa_model* fitted(const double* x, int64_t count, int64_t k, int64_t d
 static void map(const stltsa_model* model, const double* x, int64_t count, const int64_t* hints,
                 const stltsa_options* options, double* coords, double* distance, int64_t* nearest) {
     const stltsa_in in = packed_in(x, count, cols);
-    const stltsa_out out = packed_out(coords, count, model_int(model, STLTSA_INFO_DIMENSION));
+    const stltsa_out out = packed_out(coords, count, int_of(model, STLTSA_INFO_DIMENSION));
     const stltsa_out far = packed_out(distance, count, 1);
     const stltsa_in near = list_in(hints, count);
     const stltsa_out found = list_out(nearest, count);
@@ -28,7 +26,7 @@ static void map(const stltsa_model* model, const double* x, int64_t count, const
 
 static void unmap(const stltsa_model* model, const double* y, int64_t count, const int64_t* hints,
                   const stltsa_options* options, double* x, double* distance, int64_t* nearest) {
-    const stltsa_in in = packed_in(y, count, model_int(model, STLTSA_INFO_DIMENSION));
+    const stltsa_in in = packed_in(y, count, int_of(model, STLTSA_INFO_DIMENSION));
     const stltsa_out out = packed_out(x, count, cols);
     const stltsa_out far = packed_out(distance, count, 1);
     const stltsa_in near = list_in(hints, count);
@@ -49,7 +47,7 @@ static void fitted_rows_go_both_ways_to_the_bit(void** state) {
     (void)state;
     double* x = new_motion(rows, cols, 11);
     stltsa_model* model = fitted(x, rows, 25, 3);
-    double* coords = new_coords(model);
+    double* coords = array_of(model, STLTSA_INFO_COORDS);
     double* mapped = new_matrix(rows, 3);
     double* distance = new_matrix(rows, 1);
     double* back = new_matrix(rows, cols);
@@ -93,7 +91,7 @@ static void plane_is_mapped_exactly(void** state) {
     (void)state;
     double* x = new_plane_points();
     stltsa_model* model = fitted(x, rows, 12, 2);
-    double* coords = new_coords(model);
+    double* coords = array_of(model, STLTSA_INFO_COORDS);
     const int64_t count = rows - 3;
     double* between = new_between(x, rows, cols, 3, 0.3);
     double* expected = new_between(coords, rows, 2, 3, 0.3);
@@ -144,7 +142,7 @@ static void spiral_is_mapped_to_its_length(void** state) {
     double* x = new_spiral(0, lengths);
     double* held = new_spiral(0.5, held_lengths);
     stltsa_model* model = fitted(x, rows, 12, 1);
-    double* coords = new_coords(model);
+    double* coords = array_of(model, STLTSA_INFO_COORDS);
     double* mapped = new_matrix(rows, 1);
     map(model, held, rows - 1, NULL, NULL, mapped, NULL, NULL);
     /* Both ends of the curve give the scale. The error of the rows' own coordinate (an eigenvector,
@@ -204,7 +202,7 @@ static void frames_far_away_are_flagged(void** state) {
     (void)state;
     double* x = new_motion(rows, cols, 13);
     stltsa_model* model = fitted(x, rows, 25, 3);
-    const double support = model_real(model, STLTSA_INFO_REACH);
+    const double support = real_of(model, STLTSA_INFO_REACH);
     assert_true(support > 0);
     double* between = new_between(x, rows, cols, 1, 0.5);
     double* mapped = new_matrix(rows, 3);
@@ -224,7 +222,7 @@ static void frames_far_away_are_flagged(void** state) {
     map(model, off, rows, NULL, NULL, mapped, distance, NULL);
     for (int64_t i = 0; i < rows; ++i)
         assert_true(distance[i] > 50 && isfinite(distance[i]));
-    double* coords = new_coords(model);
+    double* coords = array_of(model, STLTSA_INFO_COORDS);
     double* middle = new_between(coords, rows, 3, 1, 0.5);
     unmap(model, middle, rows - 1, NULL, NULL, between, distance, NULL);
     for (int64_t i = 0; i < rows - 1; ++i)
@@ -250,9 +248,7 @@ struct asked {
 
 static void ask(const stltsa_model* model, const double* near, const double* points,
                 int64_t threads, int64_t at_once, struct asked* asked) {
-    stltsa_options* options = NULL;
-    must(stltsa_options_new(&options));
-    must(stltsa_options_set_int(options, STLTSA_OPT_THREADS, threads));
+    stltsa_options* options = with_int(STLTSA_OPT_THREADS, threads);
     for (int64_t i = 0; i < rows; i += at_once) {
         map(model, near + i * cols, at_once, NULL, options, asked->y + 3 * i, asked->distance + i,
             asked->nearest + i);
@@ -266,7 +262,7 @@ static void threads_and_portions_change_nothing(void** state) {
     (void)state;
     double* x = new_motion(rows, cols, 14);
     stltsa_model* model = fitted(x, rows, 25, 3);
-    double* points = new_coords(model);
+    double* points = array_of(model, STLTSA_INFO_COORDS);
     uint64_t seed = 8;
     for (int64_t i = 0; i < rows * cols; ++i)
         x[i] += 0.1 * (uniform(&seed) - 0.5);
@@ -325,7 +321,7 @@ static void hints_tell_to_from_fro(void** state) {
         for (int64_t c = 0; c < cols; ++c)
             x[i * cols + c] = sin(2 * pi * (double)i / 40.3 + 0.3 * (double)c);
     stltsa_model* model = fitted(x, rows, 48, 1);
-    double* coords = new_coords(model);
+    double* coords = array_of(model, STLTSA_INFO_COORDS);
     double* middle = new_between(coords, rows, 1, 1, 0.5);
     double* expected = new_between(x, rows, cols, 1, 0.5);
     double* back = new_matrix(rows, cols);
@@ -400,7 +396,7 @@ static void repeated_rows_are_one(void** state) {
     for (int64_t i = 0; i < all; ++i)
         memcpy(x + i * cols, once + i / copies * cols, cols * sizeof *x);
     stltsa_model* model = fitted(x, all, 25, 2);
-    double* coords = new_coords(model);
+    double* coords = array_of(model, STLTSA_INFO_COORDS);
     double* mapped = new_matrix(all, 2);
     int64_t* nearest = calloc((size_t)all, sizeof *nearest);
     map(model, x, all, NULL, NULL, mapped, NULL, nearest);
@@ -432,7 +428,7 @@ static void any_number_of_neighbors_and_maps(void** state) {
     (void)state;
     double* x = new_motion(rows, cols, 18);
     stltsa_model* model = fitted(x, rows, 25, 3);
-    double* coords = new_coords(model);
+    double* coords = array_of(model, STLTSA_INFO_COORDS);
     double* between = new_between(x, rows, cols, 1, 0.5);
     const int64_t numbers[][2] = {{1, 1}, {2, 3}, {2147483647, 1}, {3, 2}, {12, 1000}};
     for (int n = 0; n < 5; ++n) {

@@ -2,22 +2,11 @@
 /* Mapping of clips: a walk to its curve, and back to poses of the same body. */
 #include "support.h"
 
-static const char* walker_path;
-
-static stltsa_clip* opened(void) {
-    stltsa_clip* clip = NULL;
-    must(stltsa_clip_open(walker_path, NULL, &clip));
-    return clip;
-}
-
 /* A model with three coordinates, at the default rate of 30 of the clip's 120 frames per second. */
 static stltsa_model* fitted(const stltsa_clip* clip, int64_t features) {
-    stltsa_options* options = NULL;
-    must(stltsa_options_new(&options));
-    must(stltsa_options_set_int(options, STLTSA_OPT_DIMENSION, 3));
+    stltsa_options* options = with_int(STLTSA_OPT_DIMENSION, 3);
     must(stltsa_options_set_int(options, STLTSA_OPT_FEATURES, features));
-    stltsa_model* model = NULL;
-    must(stltsa_fit_clip(clip, options, &model));
+    stltsa_model* model = fitted_clip(clip, options);
     stltsa_options_free(options);
     return model;
 }
@@ -48,11 +37,11 @@ static void assert_maps_to_itself(const stltsa_clip* clip, int64_t features) {
     double* distance = new_matrix(frames, 1);
     int64_t* nearest = calloc((size_t)frames, sizeof *nearest);
     double* mapped = new_mapped(model, clip, distance, nearest);
-    double* coords = new_coords(model);
-    const int64_t first = model_int(model, STLTSA_INFO_FIRST_FRAME);
-    const int64_t step = model_int(model, STLTSA_INFO_FRAME_STEP);
+    double* coords = array_of(model, STLTSA_INFO_COORDS);
+    const int64_t first = int_of(model, STLTSA_INFO_FIRST_FRAME);
+    const int64_t step = int_of(model, STLTSA_INFO_FRAME_STEP);
     assert_true(step > 1);
-    for (int64_t i = 0; i < model_int(model, STLTSA_INFO_ROWS); ++i)
+    for (int64_t i = 0; i < int_of(model, STLTSA_INFO_ROWS); ++i)
         assert_same_bits(mapped + 3 * (first + i * step), coords + 3 * i, 3);
     /* The frames between are of the same walk. */
     for (int64_t i = first; i < frames; ++i)
@@ -82,14 +71,11 @@ static void equal_frames_keep_their_own_coordinates(void** state) {
         for (int64_t c = 0; c < cols; ++c)
             x[i * cols + c] =
                 (double)((i + c * c) % 40 < 20 ? (i + c * c) % 20 : 20 - (i + c * c) % 20);
-    const stltsa_in in = packed_in(x, frames, cols);
-    stltsa_clip* clip = NULL;
-    must(stltsa_clip_from_matrix(&in, 30, &clip));
+    stltsa_clip* clip = matrix_clip(x, frames, cols, 30);
     stltsa_options* options = new_options(12, 12, 3);
     must(stltsa_options_set_real(options, STLTSA_OPT_SMOOTHING, 0));
-    stltsa_model* model = NULL;
-    must(stltsa_fit_clip(clip, options, &model));
-    double* coords = new_coords(model);
+    stltsa_model* model = fitted_clip(clip, options);
+    double* coords = array_of(model, STLTSA_INFO_COORDS);
     assert_true(memcmp(coords + 3 * 50, coords + 3 * 90, 3 * sizeof *coords) != 0);
     assert_memory_equal(x + 50 * cols, x + 90 * cols, cols * sizeof *x);
     double* mapped = new_mapped(model, clip, NULL, NULL);
@@ -102,21 +88,6 @@ static void equal_frames_keep_their_own_coordinates(void** state) {
     free(x);
 }
 
-static double* new_positions(const stltsa_clip* clip) {
-    const int64_t frames = stltsa_clip_frames(clip);
-    const int64_t joints = stltsa_clip_joints(clip);
-    double* positions = new_matrix(frames, 3 * joints);
-    const stltsa_out out = packed_out(positions, frames, 3 * joints);
-    must(stltsa_clip_positions(clip, &out));
-    return positions;
-}
-
-static int64_t parent_of(const stltsa_clip* clip, int64_t index) {
-    stltsa_joint joint = {.size = sizeof joint};
-    must(stltsa_clip_joint(clip, index, &joint));
-    return joint.parent;
-}
-
 static double bone(const double* positions, int64_t joint, int64_t parent) {
     const double* a = positions + 3 * joint;
     const double* b = positions + 3 * parent;
@@ -126,8 +97,8 @@ static double bone(const double* positions, int64_t joint, int64_t parent) {
 
 /* Points on the whole curve, and off it. */
 static double* new_points(const stltsa_model* model, int64_t* count) {
-    const int64_t rows = model_int(model, STLTSA_INFO_ROWS);
-    double* points = new_coords(model);
+    const int64_t rows = int_of(model, STLTSA_INFO_ROWS);
+    double* points = array_of(model, STLTSA_INFO_COORDS);
     uint64_t seed = 21;
     for (int64_t i = 0; i < 3 * rows; ++i)
         points[i] += 0.01 * (uniform(&seed) - 0.5);
@@ -142,15 +113,15 @@ static void bones_keep_their_lengths(void** state) {
     int64_t count = 0;
     double* points = new_points(model, &count);
     stltsa_clip* poses = posed(model, points, count, NULL);
-    const int64_t joints = stltsa_clip_joints(clip);
-    assert_int_equal(stltsa_clip_joints(poses), joints);
+    const int64_t joints = count_of(clip, STLTSA_INFO_JOINT);
+    assert_int_equal(count_of(poses, STLTSA_INFO_JOINT), joints);
     assert_int_equal(stltsa_clip_frames(poses), count);
-    assert_true(stltsa_clip_fps(poses) == model_real(model, STLTSA_INFO_FPS));
-    double* source = new_positions(clip);
-    double* made = new_positions(poses);
+    assert_true(stltsa_clip_fps(poses) == real_of(model, STLTSA_INFO_FPS));
+    double* source = array_of(clip, STLTSA_INFO_POSITIONS);
+    double* made = array_of(poses, STLTSA_INFO_POSITIONS);
     for (int64_t j = 1; j < joints; ++j) {
-        const int64_t parent = parent_of(clip, j);
-        assert_int_equal(parent_of(poses, j), parent);
+        const int64_t parent = joint_at(clip, j).parent;
+        assert_int_equal(joint_at(poses, j).parent, parent);
         for (int64_t i = 0; i < count; ++i)
             assert_below(fabs(bone(made + 3 * joints * i, j, parent) - bone(source, j, parent)),
                          1e-9, "change of a bone");
@@ -177,10 +148,8 @@ static void poses_have_the_rate_of_the_points(void** state) {
     const int64_t frames = stltsa_clip_frames(clip);
     double* coords = new_mapped(model, clip, NULL, NULL);
     stltsa_clip* untold = posed(model, coords, frames, NULL);
-    assert_true(stltsa_clip_fps(untold) == model_real(model, STLTSA_INFO_FPS));
-    stltsa_options* options = NULL;
-    must(stltsa_options_new(&options));
-    must(stltsa_options_set_real(options, STLTSA_OPT_FPS, stltsa_clip_fps(clip)));
+    assert_true(stltsa_clip_fps(untold) == real_of(model, STLTSA_INFO_FPS));
+    stltsa_options* options = with(STLTSA_OPT_FPS, stltsa_clip_fps(clip));
     stltsa_clip* told = posed(model, coords, frames, options);
     assert_true(stltsa_clip_fps(told) == stltsa_clip_fps(clip));
     assert_true(stltsa_clip_fps(told) == 4 * stltsa_clip_fps(untold));
@@ -198,18 +167,14 @@ static void poses_of_the_rows_come_back(void** state) {
     (void)state;
     stltsa_clip* clip = opened();
     stltsa_model* model = fitted(clip, STLTSA_FEATURES_POSITIONS);
-    const int64_t rows = model_int(model, STLTSA_INFO_ROWS);
-    const int64_t joints = stltsa_clip_joints(clip);
-    double* coords = new_coords(model);
+    const int64_t rows = int_of(model, STLTSA_INFO_ROWS);
+    const int64_t joints = count_of(clip, STLTSA_INFO_JOINT);
+    double* coords = array_of(model, STLTSA_INFO_COORDS);
     stltsa_clip* poses = posed(model, coords, rows, NULL);
-    double* source = new_matrix(stltsa_clip_frames(clip), 4 * joints);
-    double* made = new_matrix(rows, 4 * joints);
-    const stltsa_out source_out = packed_out(source, stltsa_clip_frames(clip), 4 * joints);
-    const stltsa_out made_out = packed_out(made, rows, 4 * joints);
-    must(stltsa_clip_rotations(clip, &source_out));
-    must(stltsa_clip_rotations(poses, &made_out));
-    const int64_t first = model_int(model, STLTSA_INFO_FIRST_FRAME);
-    const int64_t step = model_int(model, STLTSA_INFO_FRAME_STEP);
+    double *source = array_of(clip, STLTSA_INFO_ROTATIONS),
+           *made = array_of(poses, STLTSA_INFO_ROTATIONS);
+    const int64_t first = int_of(model, STLTSA_INFO_FIRST_FRAME);
+    const int64_t step = int_of(model, STLTSA_INFO_FRAME_STEP);
     for (int64_t i = 0; i < rows; ++i)
         for (int64_t j = 1; j < joints; ++j) { /* the root has no yaw */
             const double* a = source + 4 * ((first + i * step) * joints + j);
@@ -230,16 +195,14 @@ static void frames_are_features_of_the_poses(const stltsa_clip* clip, int64_t fe
     int64_t count = 0;
     double* points = new_points(model, &count);
     stltsa_clip* poses = posed(model, points, count, NULL);
-    const int64_t width = model_int(model, STLTSA_INFO_FEATURE_COUNT);
+    const int64_t width = int_of(model, STLTSA_INFO_FEATURE_COUNT);
     double* frames = new_matrix(count, width);
     double* expected = new_matrix(count, width);
     const stltsa_in in = packed_in(points, count, 3);
     const stltsa_out out = packed_out(frames, count, width);
     const stltsa_out expected_out = packed_out(expected, count, width);
     must(stltsa_unmap(model, &in, NULL, NULL, &out, NULL, NULL));
-    stltsa_options* options = NULL;
-    must(stltsa_options_new(&options));
-    must(stltsa_options_set_int(options, STLTSA_OPT_FEATURES, features));
+    stltsa_options* options = with_int(STLTSA_OPT_FEATURES, features);
     must(stltsa_clip_features(poses, options, &expected_out));
     assert_below(largest_difference(frames, expected, count * width), 1e-9, "features");
     /* Rows are independent. */
@@ -271,14 +234,12 @@ static void threads_change_nothing(void** state) {
     stltsa_model* model = fitted(clip, STLTSA_FEATURES_POSITIONS);
     int64_t count = 0;
     double* points = new_points(model, &count);
-    const int64_t width = 3 * stltsa_clip_joints(clip);
+    const int64_t width = 3 * count_of(clip, STLTSA_INFO_JOINT);
     double* positions[2];
     for (int t = 0; t < 2; ++t) {
-        stltsa_options* options = NULL;
-        must(stltsa_options_new(&options));
-        must(stltsa_options_set_int(options, STLTSA_OPT_THREADS, t + 1));
+        stltsa_options* options = with_int(STLTSA_OPT_THREADS, t + 1);
         stltsa_clip* poses = posed(model, points, count, options);
-        positions[t] = new_positions(poses);
+        positions[t] = array_of(poses, STLTSA_INFO_POSITIONS);
         stltsa_clip_free(poses);
         stltsa_options_free(options);
     }
@@ -298,10 +259,8 @@ static void bare_numbers_have_no_poses(void** state) {
     stltsa_clip* numbers = NULL;
     must(stltsa_clip_from_matrix(&in, 30, &numbers));
     stltsa_options* options = new_options(20, 20, 3);
-    stltsa_model* of_numbers = NULL;
-    stltsa_model* of_matrix = NULL;
-    must(stltsa_fit_clip(numbers, options, &of_numbers));
-    must(stltsa_fit(&in, NULL, options, &of_matrix));
+    stltsa_model *of_numbers = fitted_clip(numbers, options),
+                 *of_matrix = fitted_rows(x, frames, cols, options);
     stltsa_clip* walk = opened();
     stltsa_model* of_walk = fitted(walk, STLTSA_FEATURES_POSITIONS);
 
@@ -347,5 +306,5 @@ int main(int argc, char** argv) {
         cmocka_unit_test(threads_change_nothing),
         cmocka_unit_test(bare_numbers_have_no_poses),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_on_walker(tests, argc, argv);
 }

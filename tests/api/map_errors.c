@@ -228,7 +228,7 @@ static void model_without_frames_cannot_map(void** state) {
     must(stltsa_options_set_int(f->options, STLTSA_OPT_KEEP_FRAMES, 0));
     const stltsa_in in = packed_in(f->x, rows, cols);
     must(stltsa_fit(&in, NULL, f->options, &f->model));
-    assert_true(model_real(f->model, STLTSA_INFO_REACH) == 0);
+    assert_true(real_of(f->model, STLTSA_INFO_REACH) == 0);
     assert_status(map(f, f->x, rows, cols, NULL), STLTSA_E_UNSUPPORTED, "keep_frames");
     assert_status(unmap(f, f->x, rows, 2, NULL), STLTSA_E_UNSUPPORTED, "keep_frames");
     assert_untouched(f);
@@ -241,8 +241,8 @@ static void components_do_not_mix(void** state) {
     const int64_t lengths[] = {80, 120};
     const stltsa_in clips = list_in(lengths, 2);
     must(stltsa_fit(&in, &clips, f->options, &f->model));
-    assert_int_equal(model_int(f->model, STLTSA_INFO_COMPONENTS), 2);
-    double* coords = new_coords(f->model);
+    assert_int_equal(count_of(f->model, STLTSA_INFO_COMPONENT), 2);
+    double* coords = array_of(f->model, STLTSA_INFO_COORDS);
     assert_status(unmap(f, coords, 1, 2, NULL), STLTSA_E_DISCONNECTED, "component");
     must(stltsa_options_set_int(f->options, STLTSA_OPT_COMPONENT, 2));
     assert_status(unmap(f, coords, 1, 2, NULL), STLTSA_E_ARGUMENT, "component");

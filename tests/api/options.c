@@ -12,14 +12,13 @@ static stltsa_option_info describe(int64_t index) {
 
 static void every_option_is_described_and_holds_its_default(void** state) {
     (void)state;
-    assert_int_equal(stltsa_option_count(),
-                     STLTSA_OPT_SUBJECT - 1); /* no option has the value 31 */
-    int32_t before = 0;
-    for (int64_t i = 0; i < stltsa_option_count(); ++i) {
+    enum { most = STLTSA_OPT_INTRINSIC };
+    int seen[most + 1] = {0};
+    for (int64_t i = 0; i < most - 1; ++i) { /* no option has the value 31 */
         const stltsa_option_info info = describe(i);
         assert_true(info.calls > 0 && info.calls < 2 * STLTSA_CALL_SYNTHESIZE);
-        assert_int_equal(info.key, before == 30 ? 32 : before + 1);
-        before = info.key;
+        assert_in_range(info.key, 1, most);
+        assert_int_equal(seen[info.key]++, 0);
         assert_true(strlen(info.name) > 1);
         assert_true(strlen(info.text) > 15 && info.text[strlen(info.text) - 1] == '.');
         assert_int_equal(stltsa_options_is_set(NULL, info.key), 0);
@@ -41,6 +40,8 @@ static void every_option_is_described_and_holds_its_default(void** state) {
             assert_true(info.minimum <= info.standard && info.standard <= info.maximum);
         }
     }
+    stltsa_option_info past = {.size = sizeof past};
+    assert_int_equal(stltsa_option_describe(most - 1, &past), STLTSA_E_ARGUMENT);
 }
 
 static void values_come_back_and_texts_are_copied(void** state) {
@@ -69,7 +70,7 @@ static void ranges_types_and_keys_are_checked(void** state) {
     stltsa_options* options = NULL;
     int64_t value = 5;
     must(stltsa_options_new(&options));
-    for (int64_t i = 0; i < stltsa_option_count(); ++i) {
+    for (int64_t i = 0; i < STLTSA_OPT_INTRINSIC - 1; ++i) {
         const stltsa_option_info info = describe(i);
         if (info.type == STLTSA_TYPE_TEXT)
             continue;
@@ -117,8 +118,8 @@ static void unset_options_are_as_before(void** state) {
         }
     must(stltsa_options_get_int(options, STLTSA_OPT_LINKS, &whole));
     assert_int_equal(whole, 4);
-    assert_int_equal(stltsa_options_get_int(options, STLTSA_OPT_WINDOW, &whole), STLTSA_E_ARGUMENT);
-    assert_non_null(strstr(stltsa_last_error(), "window is not set"));
+    must_fail(stltsa_options_get_int(options, STLTSA_OPT_WINDOW, &whole), STLTSA_E_ARGUMENT,
+              "window is not set");
     assert_int_equal(stltsa_options_unset(options, 10000), STLTSA_E_ARGUMENT);
     assert_int_equal(stltsa_options_unset(NULL, STLTSA_OPT_LINKS), STLTSA_E_ARGUMENT);
     assert_int_equal(stltsa_options_is_set(options, 10000), 0);
@@ -157,7 +158,6 @@ static void names(void** state) {
     snprintf(version, sizeof version, "%d.%d.%d", STLTSA_VERSION_MAJOR, STLTSA_VERSION_MINOR,
              STLTSA_VERSION_PATCH);
     assert_string_equal(stltsa_version(), version);
-    assert_int_equal(stltsa_version_number(), STLTSA_VERSION_NUMBER);
 }
 
 static void a_build_says_what_it_has(void** state) {
@@ -198,8 +198,7 @@ static void options_of_a_fit_are_refused_by_decompose(void** state) {
         stltsa_decomposition* none = NULL;
         must(stltsa_options_new(&options));
         must(stltsa_options_set_int(options, keys[i], 2));
-        assert_int_equal(stltsa_decompose(clip, options, &none), STLTSA_E_ARGUMENT);
-        assert_non_null(strstr(stltsa_last_error(), "belongs to fit"));
+        must_fail(stltsa_decompose(clip, options, &none), STLTSA_E_ARGUMENT, "belongs to fit");
         stltsa_options_free(options);
     }
     stltsa_clip_free(clip);

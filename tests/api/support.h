@@ -3,40 +3,17 @@
 #ifndef STLTSA_TESTS_UNIT_SUPPORT_H
 #define STLTSA_TESTS_UNIT_SUPPORT_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
+#include "facts.h"
 
-#include <cmocka.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include "stltsa.h"
 
 static const double pi = 3.14159265358979323846;
-
-/* A rows x cols matrix of doubles, packed rows; release it with free(). */
-static inline double* new_matrix(int64_t rows, int64_t cols) {
-    double* values = calloc((size_t)(rows * cols), sizeof *values);
-    assert_non_null(values);
-    return values;
-}
 
 static inline double* copy_of(const double* values, int64_t count) {
     double* copy = new_matrix(count, 1);
     memcpy(copy, values, (size_t)count * sizeof *copy);
     return copy;
-}
-
-/* A progress callback that cancels after *(int32_t*)user more calls. */
-static inline int32_t cancel_after(void* user, int32_t stage, double fraction) {
-    (void)stage;
-    (void)fraction;
-    int32_t* left = user;
-    return (*left)-- == 0;
 }
 
 /* Uniform in [0, 1); splitmix64. */
@@ -96,71 +73,19 @@ static inline double* new_product(const double* a, const double* b, int64_t rows
     return product;
 }
 
-static inline void must(stltsa_status status) {
-    if (status != STLTSA_OK)
-        print_error("%s: %s\n", stltsa_status_name(status), stltsa_last_error());
-    assert_int_equal(status, STLTSA_OK);
-}
-
-static inline stltsa_in packed_in(const double* x, int64_t rows, int64_t cols) {
-    const stltsa_in in = {x, rows, cols, 0, 0, STLTSA_F64, 0};
-    return in;
-}
-
-static inline stltsa_out packed_out(double* x, int64_t rows, int64_t cols) {
-    const stltsa_out out = {x, rows, cols, 0, 0, STLTSA_F64, 0};
-    return out;
-}
-
-/* A list, one entry a row. */
-static inline stltsa_in list_in(const int64_t* x, int64_t rows) {
-    const stltsa_in in = {x, rows, 1, 0, 0, STLTSA_I64, 0};
-    return in;
-}
-
-static inline stltsa_out list_out(int64_t* x, int64_t rows) {
-    const stltsa_out out = {x, rows, 1, 0, 0, STLTSA_I64, 0};
-    return out;
-}
-
 static inline stltsa_options* new_options(int64_t k, int64_t w, int64_t d) {
-    stltsa_options* options = NULL;
-    must(stltsa_options_new(&options));
-    must(stltsa_options_set_int(options, STLTSA_OPT_NEIGHBORS, k));
+    stltsa_options* options = with_int(STLTSA_OPT_NEIGHBORS, k);
     must(stltsa_options_set_int(options, STLTSA_OPT_WINDOW, w));
     must(stltsa_options_set_int(options, STLTSA_OPT_DIMENSION, d));
     must(stltsa_options_set_int(options, STLTSA_OPT_MODE, STLTSA_MODE_TEMPORAL));
     return options;
 }
 
-static inline int64_t model_int(const stltsa_model* model, int32_t key) {
-    int64_t value = -1;
-    must(stltsa_info_int(stltsa_model_info(model), key, 0, &value));
-    return value;
-}
-
-static inline double model_real(const stltsa_model* model, int32_t key) {
-    double value = -1;
-    must(stltsa_info_real(stltsa_model_info(model), key, 0, &value));
-    return value;
-}
-
-static inline double* new_coords(const stltsa_model* model) {
-    const int64_t rows = model_int(model, STLTSA_INFO_ROWS);
-    const int64_t d = model_int(model, STLTSA_INFO_DIMENSION);
-    double* coords = new_matrix(rows, d);
-    const stltsa_out out = packed_out(coords, rows, d);
-    must(stltsa_model_coords(model, &out));
-    return coords;
-}
-
 /* Coordinates of a fit of one packed clip; frees the options. */
 static inline double* fit_coords_with(stltsa_options* options, const double* x, int64_t rows,
                                       int64_t cols) {
-    const stltsa_in in = packed_in(x, rows, cols);
-    stltsa_model* model = NULL;
-    must(stltsa_fit(&in, NULL, options, &model));
-    double* coords = new_coords(model);
+    stltsa_model* model = fitted_rows(x, rows, cols, options);
+    double* coords = array_of(model, STLTSA_INFO_COORDS);
     stltsa_model_free(model);
     stltsa_options_free(options);
     return coords;

@@ -7,24 +7,22 @@
 static void units_give_the_clip_back(void** state) {
     (void)state;
     stltsa_clip* clip = opened();
-    stltsa_decomposition* d = NULL;
-    must(stltsa_decompose(clip, NULL, &d));
+    stltsa_decomposition* d = decomposed(clip, NULL);
     stltsa_piece pieces[5];
-    assert_int_equal(stltsa_decomposition_unit_count(d), 5);
+    assert_int_equal(count_of(d, STLTSA_INFO_UNIT), 5);
     for (int i = 0; i < 5; ++i) {
-        stltsa_interval unit;
-        must(stltsa_decomposition_unit(d, i, &unit));
+        const stltsa_unit unit = unit_at(d, i);
         pieces[i] = (stltsa_piece){clip, unit.begin, unit.end, 1, 0};
     }
     stltsa_synthesis* s = made(pieces, 5, NULL);
     const stltsa_clip* again = stltsa_synthesis_clip(s);
-    assert_int_equal(stltsa_synthesis_seam_count(s), 0);
-    assert_int_equal(stltsa_synthesis_warning_count(s), 0);
+    assert_int_equal(count_of(s, STLTSA_INFO_SEAM), 0);
+    assert_int_equal(count_of(s, STLTSA_INFO_WARNING), 0);
     assert_int_equal(stltsa_clip_frames(again), stltsa_clip_frames(clip));
-    assert_int_equal(stltsa_clip_format(again), STLTSA_FORMAT_BVH);
+    assert_int_equal(int_of(again, STLTSA_INFO_FORMAT), STLTSA_FORMAT_BVH);
     assert_true(stltsa_clip_fps(again) == stltsa_clip_fps(clip));
     double *a = new_channels(clip), *b = new_channels(again);
-    assert_same_bits(a, b, stltsa_clip_frames(clip) * stltsa_clip_channels(clip));
+    assert_same_bits(a, b, stltsa_clip_frames(clip) * int_of(clip, STLTSA_INFO_CHANNELS));
     free(a);
     free(b);
     stltsa_synthesis_free(s);
@@ -38,7 +36,7 @@ static void one_piece_is_its_frames(void** state) {
     const stltsa_piece piece = {clip, 100, 101, 1, 0};
     stltsa_synthesis* s = made(&piece, 1, NULL);
     assert_int_equal(stltsa_clip_frames(stltsa_synthesis_clip(s)), 1);
-    const int64_t channels = stltsa_clip_channels(clip);
+    const int64_t channels = int_of(clip, STLTSA_INFO_CHANNELS);
     double *a = new_channels(clip), *b = new_channels(stltsa_synthesis_clip(s));
     assert_same_bits(a + 100 * channels, b, channels);
     free(a);
@@ -60,14 +58,16 @@ static void walks_on_from_where_it_stood(void** state) {
     const stltsa_piece far_pieces[] = {{here, 0, 300, 1, 0}, {far, 100, 400, 1, 0}};
     stltsa_synthesis *a = made(near_pieces, 2, NULL), *b = made(far_pieces, 2, NULL);
     const stltsa_clip *clip_a = stltsa_synthesis_clip(a), *clip_b = stltsa_synthesis_clip(b);
-    const int64_t frames = stltsa_clip_frames(clip_a), joints = stltsa_clip_joints(clip_a);
+    const int64_t frames = stltsa_clip_frames(clip_a), joints = count_of(clip_a, STLTSA_INFO_JOINT);
     assert_int_equal(stltsa_clip_frames(clip_b), frames);
-    double *x = new_positions(clip_a), *y = new_positions(clip_b), *source = new_positions(here);
+    double *x = array_of(clip_a, STLTSA_INFO_POSITIONS),
+           *y = array_of(clip_b, STLTSA_INFO_POSITIONS),
+           *source = array_of(here, STLTSA_INFO_POSITIONS);
     assert_below(largest_difference(x, y, frames * joints * 3), 1e-7, "where the later clip was");
     assert_below(largest_step(x, frames, joints, 0), 1.1 * largest_step(source, 480, joints, 0),
                  "step");
     /* It walks along z all the time, for the length of its frames. */
-    const stltsa_seam seam = seam_of(a, 0);
+    const stltsa_seam seam = seam_at(a, 0);
     const double way = (double)(seam.cut_end + 400 - seam.cut_begin) / 120 * 120;
     assert_below(fabs(x[(frames - 1) * joints * 3 + 2] - way), 8, "way");
     assert_below(fabs(x[(frames - 1) * joints * 3]), 1, "to the side");
@@ -92,8 +92,8 @@ static void seams_are_measured_by_the_livelier_piece(void** state) {
         const stltsa_piece rest = {still, 100, 300, 1, 0}, way = {walk, 100, 400, 1, 0};
         const stltsa_piece pieces[] = {order ? way : rest, order ? rest : way};
         stltsa_synthesis* s = made(pieces, 2, options);
-        assert_below(seam_of(s, 0).step, 1.5, "step");
-        assert_below(seam_of(s, 0).acceleration, 5, "acceleration");
+        assert_below(seam_at(s, 0).step, 1.5, "step");
+        assert_below(seam_at(s, 0).acceleration, 5, "acceleration");
         stltsa_synthesis_free(s);
     }
     stltsa_options_free(options);
@@ -111,14 +111,15 @@ static void other_rates_are_resampled(void** state) {
     const stltsa_piece mixed[] = {{fast_clip, 0, 300, 1, 0}, {slow_clip, 50, 200, 1, 0}};
     stltsa_synthesis *a = made(fast, 2, NULL), *b = made(mixed, 2, NULL);
     const stltsa_clip *clip_a = stltsa_synthesis_clip(a), *clip_b = stltsa_synthesis_clip(b);
-    assert_true(has_warning(b, "resampled"));
-    assert_false(has_warning(a, "resampled"));
+    assert_true(warnings_of(b, "resampled"));
+    assert_false(warnings_of(a, "resampled"));
     assert_true(stltsa_clip_fps(clip_b) == 120);
-    assert_int_equal(seam_of(b, 0).cut_end, seam_of(a, 0).cut_end);
-    assert_int_equal(seam_of(b, 0).cut_begin, seam_of(a, 0).cut_begin);
+    assert_int_equal(seam_at(b, 0).cut_end, seam_at(a, 0).cut_end);
+    assert_int_equal(seam_at(b, 0).cut_begin, seam_at(a, 0).cut_begin);
     assert_int_equal(stltsa_clip_frames(clip_a), stltsa_clip_frames(clip_b));
-    double *x = new_positions(clip_a), *y = new_positions(clip_b);
-    const int64_t count = stltsa_clip_frames(clip_a) * stltsa_clip_joints(clip_a) * 3;
+    double *x = array_of(clip_a, STLTSA_INFO_POSITIONS),
+           *y = array_of(clip_b, STLTSA_INFO_POSITIONS);
+    const int64_t count = stltsa_clip_frames(clip_a) * count_of(clip_a, STLTSA_INFO_JOINT) * 3;
     assert_below(largest_difference(x, y, count), 0.1, "resampled");
     free(x);
     free(y);
@@ -138,7 +139,7 @@ static void no_search_cuts_where_the_pieces_end(void** state) {
     must(stltsa_options_set_real(options, STLTSA_OPT_POSTURE_LIMIT, 0));
     const stltsa_piece pieces[] = {{clip, 20, 300, 1, 0}, {clip, 100, 400, 2, 0}};
     stltsa_synthesis* s = made(pieces, 2, options);
-    const stltsa_seam join = seam_of(s, 0), loop = seam_of(s, 1);
+    const stltsa_seam join = seam_at(s, 0), loop = seam_at(s, 1);
     assert_true(join.cut_end == 300 && join.cut_begin == 100 && join.frame == 280);
     assert_true(join.piece == 0 && join.next == 1 && join.crossfade == 6);
     assert_true(loop.cut_end == 400 && loop.cut_begin == 100 && loop.frame == 580);
@@ -154,12 +155,12 @@ static void where_the_clip_ends_nothing_is_blended(void** state) {
     stltsa_options* options = with(STLTSA_OPT_CUT_RANGE, 0);
     const stltsa_piece piece = {clip, 0, 480, 2, 0};
     stltsa_synthesis* s = made(&piece, 1, options);
-    assert_int_equal(seam_of(s, 0).crossfade, 0);
-    assert_true(has_warning(s, "blended"));
+    assert_int_equal(seam_at(s, 0).crossfade, 0);
+    assert_true(warnings_of(s, "blended"));
     assert_int_equal(stltsa_clip_frames(stltsa_synthesis_clip(s)), 960);
     /* Four whole cycles: the step across the seam is like the others. */
-    double* x = new_positions(stltsa_synthesis_clip(s));
-    const int64_t joints = stltsa_clip_joints(clip);
+    double* x = array_of(stltsa_synthesis_clip(s), STLTSA_INFO_POSITIONS);
+    const int64_t joints = count_of(clip, STLTSA_INFO_JOINT);
     const double step = distance(x + 480 * joints * 3, x + 479 * joints * 3, floor_plane);
     assert_below(fabs(step - 1.3), 0.2, "step");
     free(x);
@@ -167,7 +168,7 @@ static void where_the_clip_ends_nothing_is_blended(void** state) {
     /* No crossfade requested, no warning. */
     must(stltsa_options_set_real(options, STLTSA_OPT_CROSSFADE, 0));
     s = made(&piece, 1, options);
-    assert_false(has_warning(s, "blended"));
+    assert_false(warnings_of(s, "blended"));
     stltsa_synthesis_free(s);
     stltsa_options_free(options);
     stltsa_clip_free(clip);
@@ -186,12 +187,12 @@ static void short_pieces_keep_half_their_length(void** state) {
                                        {clip, 300, 300 + length, 2, 0},
                                        {clip, 200, 200 + length, 1, 0}};
         stltsa_synthesis* s = made(pieces, 3, options);
-        const int64_t count = stltsa_synthesis_seam_count(s);
+        const int64_t count = count_of(s, STLTSA_INFO_SEAM);
         assert_int_equal(count, 5);
         int64_t before = 0;
         for (int64_t i = 0; i <= count; ++i) {
             const int64_t frame =
-                i < count ? seam_of(s, i).frame : stltsa_clip_frames(stltsa_synthesis_clip(s));
+                i < count ? seam_at(s, i).frame : stltsa_clip_frames(stltsa_synthesis_clip(s));
             assert_true(2 * (frame - before) >= length);
             before = frame;
         }
@@ -212,9 +213,7 @@ static void progress_can_cancel(void** state) {
     const stltsa_piece piece = {clip, 100, 220, 2, 0};
     for (int32_t stage = STLTSA_STAGE_FEATURES; stage <= STLTSA_STAGE_SYNTHESIS;
          stage += STLTSA_STAGE_SYNTHESIS - STLTSA_STAGE_FEATURES) {
-        stltsa_options* options = NULL;
-        must(stltsa_options_new(&options));
-        must(stltsa_options_set_progress(options, refuse, &stage));
+        stltsa_options* options = with_progress(refuse, &stage);
         stltsa_synthesis* s = NULL;
         assert_int_equal(stltsa_synthesize(&piece, 1, options, &s), STLTSA_E_CANCELLED);
         assert_null(s);
@@ -232,7 +231,7 @@ static void the_same_bits_every_time(void** state) {
     stltsa_synthesis *a = made(pieces, 2, NULL), *b = made(pieces, 2, NULL);
     const stltsa_clip* clip_a = stltsa_synthesis_clip(a);
     double *x = new_channels(clip_a), *y = new_channels(stltsa_synthesis_clip(b));
-    assert_same_bits(x, y, stltsa_clip_frames(clip_a) * stltsa_clip_channels(clip_a));
+    assert_same_bits(x, y, stltsa_clip_frames(clip_a) * int_of(clip_a, STLTSA_INFO_CHANNELS));
     free(x);
     free(y);
     stltsa_synthesis_free(a);

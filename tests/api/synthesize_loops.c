@@ -5,17 +5,17 @@
 static void a_cycle_four_times(void** state) {
     (void)state;
     stltsa_clip* clip = opened();
-    const stltsa_interval cycle = middle_cycle(clip);
+    const stltsa_part cycle = middle_cycle(clip);
     const int64_t length = cycle.end - cycle.begin;
     const stltsa_piece piece = {clip, cycle.begin, cycle.end, 4, 0};
     stltsa_synthesis* s = made(&piece, 1, NULL);
-    assert_int_equal(stltsa_synthesis_seam_count(s), 3);
-    const stltsa_seam first = seam_of(s, 0);
+    assert_int_equal(count_of(s, STLTSA_INFO_SEAM), 3);
+    const stltsa_seam first = seam_at(s, 0);
     const int64_t loop = first.cut_end - first.cut_begin;
     assert_true((double)llabs(loop - length) <= 0.08 * (double)length);
     assert_int_equal(first.frame, first.cut_end - cycle.begin);
     for (int i = 0; i < 3; ++i) {
-        const stltsa_seam seam = seam_of(s, i);
+        const stltsa_seam seam = seam_at(s, i);
         assert_int_equal(seam.frame, first.frame + i * loop);
         assert_true(seam.piece == 0 && seam.next == 0);
         assert_true(seam.cut_end == first.cut_end && seam.cut_begin == first.cut_begin);
@@ -28,7 +28,7 @@ static void a_cycle_four_times(void** state) {
     }
     assert_int_equal(stltsa_clip_frames(stltsa_synthesis_clip(s)),
                      first.cut_end - cycle.begin + 2 * loop + cycle.end - first.cut_begin);
-    assert_int_equal(stltsa_synthesis_warning_count(s), 0);
+    assert_int_equal(count_of(s, STLTSA_INFO_WARNING), 0);
     stltsa_synthesis_free(s);
     stltsa_clip_free(clip);
 }
@@ -36,17 +36,16 @@ static void a_cycle_four_times(void** state) {
 static void every_joint_goes_on_and_bones_stay_rigid(void** state) {
     (void)state;
     stltsa_clip* clip = opened();
-    const stltsa_interval cycle = middle_cycle(clip);
+    const stltsa_part cycle = middle_cycle(clip);
     const stltsa_piece piece = {clip, cycle.begin, cycle.end, 4, 0};
     stltsa_synthesis* s = made(&piece, 1, NULL);
     const stltsa_clip* loop = stltsa_synthesis_clip(s);
-    const int64_t joints = stltsa_clip_joints(clip), frames = stltsa_clip_frames(loop);
-    double *a = new_positions(clip), *b = new_positions(loop);
+    const int64_t joints = count_of(clip, STLTSA_INFO_JOINT), frames = stltsa_clip_frames(loop);
+    double *a = array_of(clip, STLTSA_INFO_POSITIONS), *b = array_of(loop, STLTSA_INFO_POSITIONS);
     for (int j = 0; j < joints; ++j) {
         assert_below(largest_step(b, frames, joints, j),
                      1.1 * largest_step(a, stltsa_clip_frames(clip), joints, j), "step");
-        stltsa_joint joint = {.size = sizeof joint};
-        must(stltsa_clip_joint(loop, j, &joint));
+        const stltsa_joint joint = joint_at(loop, j);
         const int64_t parent = joint.parent;
         if (parent < 0)
             continue;
@@ -71,14 +70,14 @@ static void every_joint_goes_on_and_bones_stay_rigid(void** state) {
 static void a_loop_goes_on_from_and_into_its_neighbors(void** state) {
     (void)state;
     stltsa_clip* clip = opened();
-    const stltsa_interval cycle = middle_cycle(clip);
-    const int64_t n = stltsa_clip_frames(clip), channels = stltsa_clip_channels(clip);
+    const stltsa_part cycle = middle_cycle(clip);
+    const int64_t n = stltsa_clip_frames(clip), channels = int_of(clip, STLTSA_INFO_CHANNELS);
     const stltsa_piece pieces[] = {{clip, 0, cycle.begin, 1, 0},
                                    {clip, cycle.begin, cycle.end, 3, 0},
                                    {clip, cycle.end, n, 1, 0}};
     stltsa_synthesis* s = made(pieces, 3, NULL);
-    assert_int_equal(stltsa_synthesis_seam_count(s), 2);
-    const stltsa_seam first = seam_of(s, 0), last = seam_of(s, 1);
+    assert_int_equal(count_of(s, STLTSA_INFO_SEAM), 2);
+    const stltsa_seam first = seam_at(s, 0), last = seam_at(s, 1);
     assert_true(first.piece == 1 && first.next == 1 && last.piece == 1 && last.next == 1);
     const int64_t frames = stltsa_clip_frames(stltsa_synthesis_clip(s));
     double *a = new_channels(clip), *b = new_channels(stltsa_synthesis_clip(s));
@@ -98,7 +97,7 @@ static void a_loop_goes_on_from_and_into_its_neighbors(void** state) {
 static void half_a_cycle_too_much_is_refused(void** state) {
     (void)state;
     stltsa_clip* clip = opened();
-    const stltsa_interval cycle = middle_cycle(clip);
+    const stltsa_part cycle = middle_cycle(clip);
     const int64_t half = (cycle.end - cycle.begin) / 2;
     const stltsa_piece piece = {clip, cycle.begin, cycle.end + half, 2, 0};
     stltsa_synthesis* s = NULL;
@@ -108,8 +107,8 @@ static void half_a_cycle_too_much_is_refused(void** state) {
     assert_non_null(strstr(stltsa_last_error(), "seam at frame"));
     stltsa_options* options = with(STLTSA_OPT_POSTURE_LIMIT, 0);
     s = made(&piece, 1, options);
-    assert_true(seam_of(s, 0).posture > 3);
-    assert_true(has_warning(s, "times as much as those of repetitions"));
+    assert_true(seam_at(s, 0).posture > 3);
+    assert_true(warnings_of(s, "times as much as those of repetitions"));
     stltsa_synthesis_free(s);
     stltsa_options_free(options);
     stltsa_clip_free(clip);
@@ -119,42 +118,29 @@ static void half_a_cycle_too_much_is_refused(void** state) {
 static void warnings_are_given_once(void** state) {
     (void)state;
     stltsa_clip* clip = opened();
-    const stltsa_interval cycle = middle_cycle(clip);
+    const stltsa_part cycle = middle_cycle(clip);
     const int64_t half = (cycle.end - cycle.begin) / 2;
     stltsa_options* options = with(STLTSA_OPT_POSTURE_LIMIT, 0);
     stltsa_piece piece = {clip, cycle.begin, cycle.end + half, 2, 0};
     stltsa_synthesis* s = made(&piece, 1, options);
-    const int64_t count = stltsa_synthesis_warning_count(s);
-    assert_true(count > 0 && !has_warning(s, "more like it"));
+    const int64_t count = count_of(s, STLTSA_INFO_WARNING);
+    assert_true(count > 0 && !warnings_of(s, "more like it"));
     stltsa_synthesis_free(s);
     piece.repeat = 20;
     s = made(&piece, 1, options);
-    assert_int_equal(stltsa_synthesis_warning_count(s), count);
-    assert_true(has_warning(s, "(and 18 more like it)"));
+    assert_int_equal(count_of(s, STLTSA_INFO_WARNING), count);
+    assert_true(warnings_of(s, "(and 18 more like it)"));
     stltsa_synthesis_free(s);
     stltsa_options_free(options);
     stltsa_clip_free(clip);
 }
 
 static stltsa_synthesis* made_of_cycles(const stltsa_clip* clip, const stltsa_options* options) {
-    stltsa_decomposition* d = NULL;
-    must(stltsa_decompose(clip, NULL, &d));
+    stltsa_decomposition* d = decomposed(clip, NULL);
     stltsa_synthesis* s = NULL;
     must(stltsa_synthesize_loop(clip, d, options, &s));
     stltsa_decomposition_free(d);
     return s;
-}
-
-static double real_of(const stltsa_synthesis* s, int32_t key, int64_t index) {
-    double value = 0;
-    must(stltsa_info_real(stltsa_synthesis_info(s), key, index, &value));
-    return value;
-}
-
-static int64_t int_of(const stltsa_synthesis* s, int32_t key) {
-    int64_t value = 0;
-    must(stltsa_info_int(stltsa_synthesis_info(s), key, 0, &value));
-    return value;
 }
 
 /* All three cycles; the travel is that of the clip between the cuts. */
@@ -165,22 +151,23 @@ static void the_loop_of_a_clip(void** state) {
     assert_int_equal(int_of(s, STLTSA_INFO_LOOP), 1);
     assert_int_equal(int_of(s, STLTSA_INFO_LOOP_CYCLES), 3);
     assert_int_equal(int_of(s, STLTSA_INFO_SOURCE_CYCLES), 3);
-    assert_true(real_of(s, STLTSA_INFO_COVERAGE, 0) == 1);
-    assert_int_equal(stltsa_info_count(stltsa_synthesis_info(s), STLTSA_INFO_NOTE), 1);
-    assert_int_equal(stltsa_synthesis_seam_count(s), 1);
-    const stltsa_seam wrap = seam_of(s, 0);
+    assert_true(real_of(s, STLTSA_INFO_COVERAGE) == 1);
+    assert_int_equal(count_of(s, STLTSA_INFO_NOTE), 1);
+    assert_int_equal(count_of(s, STLTSA_INFO_SEAM), 1);
+    const stltsa_seam wrap = seam_at(s, 0);
     const int64_t frames = stltsa_clip_frames(stltsa_synthesis_clip(s));
     assert_int_equal(wrap.frame, frames);
     assert_int_equal(wrap.cut_end - wrap.cut_begin, frames);
-    const int64_t joints = stltsa_clip_joints(clip);
-    double* source = new_positions(clip);
+    const int64_t joints = count_of(clip, STLTSA_INFO_JOINT);
+    double* source = array_of(clip, STLTSA_INFO_POSITIONS);
     const double* from = source + wrap.cut_begin * joints * 3;
     const double* to = source + wrap.cut_end * joints * 3;
     for (int axis = 0; axis < 3; axis += 2)
-        assert_below(fabs(real_of(s, STLTSA_INFO_TRAVEL, axis) - (to[axis] - from[axis])), 1,
-                     "difference of the travel");
-    assert_true(real_of(s, STLTSA_INFO_TRAVEL, 1) == 0);
-    assert_below(fabs(real_of(s, STLTSA_INFO_TURN, 0)), 0.1, "turn");
+        assert_below(fabs(get_real(stltsa_synthesis_info(s), STLTSA_INFO_TRAVEL, axis) -
+                          (to[axis] - from[axis])),
+                     1, "difference of the travel");
+    assert_true(get_real(stltsa_synthesis_info(s), STLTSA_INFO_TRAVEL, 1) == 0);
+    assert_below(fabs(real_of(s, STLTSA_INFO_TURN)), 0.1, "turn");
     free(source);
     stltsa_synthesis_free(s);
     stltsa_clip_free(clip);
@@ -190,16 +177,15 @@ static void the_loop_of_a_clip(void** state) {
 static void a_loop_in_place_ends_where_it_starts(void** state) {
     (void)state;
     stltsa_clip* clip = opened();
-    stltsa_options* options = NULL;
-    must(stltsa_options_new(&options));
-    must(stltsa_options_set_int(options, STLTSA_OPT_IN_PLACE, 1));
+    stltsa_options* options = with_int(STLTSA_OPT_IN_PLACE, 1);
     stltsa_synthesis* s = made_of_cycles(clip, options);
     assert_int_equal(int_of(s, STLTSA_INFO_IN_PLACE), 1);
-    assert_true(fabs(real_of(s, STLTSA_INFO_TRAVEL, 0)) + fabs(real_of(s, STLTSA_INFO_TRAVEL, 2)) >
+    assert_true(fabs(get_real(stltsa_synthesis_info(s), STLTSA_INFO_TRAVEL, 0)) +
+                    fabs(get_real(stltsa_synthesis_info(s), STLTSA_INFO_TRAVEL, 2)) >
                 100); /* what was removed */
     const stltsa_clip* loop = stltsa_synthesis_clip(s);
-    const int64_t frames = stltsa_clip_frames(loop), joints = stltsa_clip_joints(loop);
-    double* positions = new_positions(loop);
+    const int64_t frames = stltsa_clip_frames(loop), joints = count_of(loop, STLTSA_INFO_JOINT);
+    double* positions = array_of(loop, STLTSA_INFO_POSITIONS);
     for (int64_t j = 0; j < joints; ++j) {
         const double step =
             distance(positions + ((frames - 1) * joints + j) * 3, positions + j * 3, space);
@@ -218,22 +204,18 @@ static void a_loop_in_place_ends_where_it_starts(void** state) {
 static void what_is_no_loop_is_refused(void** state) {
     (void)state;
     stltsa_clip* clip = opened();
-    stltsa_options* options = NULL;
-    must(stltsa_options_new(&options));
-    must(stltsa_options_set_int(options, STLTSA_OPT_IN_PLACE, 1));
+    stltsa_options* options = with_int(STLTSA_OPT_IN_PLACE, 1);
     const stltsa_piece piece = {clip, 0, 100, 1, 0};
     stltsa_synthesis* s = NULL;
     assert_int_equal(stltsa_synthesize(&piece, 1, options, &s), STLTSA_E_ARGUMENT);
-    stltsa_decomposition* d = NULL;
-    must(stltsa_decompose(clip, NULL, &d));
+    stltsa_decomposition* d = decomposed(clip, NULL);
     assert_int_equal(stltsa_synthesize_loop(NULL, d, NULL, &s), STLTSA_E_ARGUMENT);
     assert_int_equal(stltsa_synthesize_loop(clip, NULL, NULL, &s), STLTSA_E_ARGUMENT);
     assert_int_equal(stltsa_synthesize_loop(clip, d, NULL, NULL), STLTSA_E_ARGUMENT);
     struct figure brief = usual_figure;
     brief.frames = 100;
     stltsa_clip* other = new_figure(brief);
-    assert_int_equal(stltsa_synthesize_loop(other, d, NULL, &s), STLTSA_E_ARGUMENT);
-    assert_non_null(strstr(stltsa_last_error(), "another clip"));
+    must_fail(stltsa_synthesize_loop(other, d, NULL, &s), STLTSA_E_ARGUMENT, "another clip");
     assert_null(s);
     stltsa_clip_free(other);
     stltsa_decomposition_free(d);
@@ -247,16 +229,15 @@ static void without_cycles_the_ends_must_meet(void** state) {
     struct figure brief = usual_figure;
     brief.frames = 90;
     stltsa_clip* clip = new_figure(brief);
-    stltsa_decomposition* d = NULL;
-    must(stltsa_decompose(clip, NULL, &d));
-    assert_int_equal(stltsa_decomposition_cycle_count(d), 0);
+    stltsa_decomposition* d = decomposed(clip, NULL);
+    assert_int_equal(count_of(d, STLTSA_INFO_CYCLE), 0);
     stltsa_synthesis* s = NULL;
-    assert_int_equal(stltsa_synthesize_loop(clip, d, NULL, &s), STLTSA_E_NO_COMMON_POSTURE);
-    assert_non_null(strstr(stltsa_last_error(), "no cycle was found"));
+    must_fail(stltsa_synthesize_loop(clip, d, NULL, &s), STLTSA_E_NO_COMMON_POSTURE,
+              "no cycle was found");
     stltsa_options* options = with(STLTSA_OPT_POSTURE_LIMIT, 0);
     must(stltsa_synthesize_loop(clip, d, options, &s));
     assert_int_equal(int_of(s, STLTSA_INFO_LOOP), 1);
-    assert_int_equal(stltsa_info_count(stltsa_synthesis_info(s), STLTSA_INFO_LOOP_CYCLES), 0);
+    assert_int_equal(count_of(s, STLTSA_INFO_LOOP_CYCLES), 0);
     stltsa_synthesis_free(s);
     stltsa_options_free(options);
     stltsa_decomposition_free(d);

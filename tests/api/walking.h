@@ -6,36 +6,6 @@
 
 #include "support.h"
 
-/* Set by main(). */
-static const char* walker_path;
-
-static inline stltsa_clip* opened(void) {
-    stltsa_clip* clip = NULL;
-    must(stltsa_clip_open(walker_path, NULL, &clip));
-    return clip;
-}
-
-/* The file's numbers, frames x channels. */
-static inline double* new_channels(const stltsa_clip* clip) {
-    stltsa_options* options = NULL;
-    must(stltsa_options_new(&options));
-    must(stltsa_options_set_int(options, STLTSA_OPT_FEATURES, STLTSA_FEATURES_RAW));
-    const int64_t rows = stltsa_clip_frames(clip), cols = stltsa_clip_channels(clip);
-    double* values = new_matrix(rows, cols);
-    const stltsa_out out = packed_out(values, rows, cols);
-    must(stltsa_clip_features(clip, options, &out));
-    stltsa_options_free(options);
-    return values;
-}
-
-static inline double* new_positions(const stltsa_clip* clip) {
-    const int64_t rows = stltsa_clip_frames(clip), cols = 3 * stltsa_clip_joints(clip);
-    double* values = new_matrix(rows, cols);
-    const stltsa_out out = packed_out(values, rows, cols);
-    must(stltsa_clip_positions(clip, &out));
-    return values;
-}
-
 static inline double distance(const double* a, const double* b, int axes) {
     double sum = 0;
     for (int axis = 0; axis < 3; ++axis)
@@ -45,13 +15,6 @@ static inline double distance(const double* a, const double* b, int axes) {
 }
 enum { space = 7, floor_plane = 5 }; /* x y z; x z */
 
-static inline stltsa_options* with(int32_t key, double value) {
-    stltsa_options* options = NULL;
-    must(stltsa_options_new(&options));
-    must(stltsa_options_set_real(options, key, value));
-    return options;
-}
-
 static inline stltsa_synthesis* made(const stltsa_piece* pieces, int64_t count,
                                      const stltsa_options* options) {
     stltsa_synthesis* synthesis = NULL;
@@ -59,25 +22,10 @@ static inline stltsa_synthesis* made(const stltsa_piece* pieces, int64_t count,
     return synthesis;
 }
 
-static inline stltsa_seam seam_of(const stltsa_synthesis* synthesis, int64_t index) {
-    stltsa_seam seam = {.size = sizeof seam};
-    must(stltsa_synthesis_seam(synthesis, index, &seam));
-    return seam;
-}
-
-static inline int has_warning(const stltsa_synthesis* synthesis, const char* word) {
-    for (int64_t i = 0; i < stltsa_synthesis_warning_count(synthesis); ++i)
-        if (strstr(stltsa_synthesis_warning(synthesis, i), word) != NULL)
-            return 1;
-    return 0;
-}
-
 /* The second of the walker's three cycles. */
-static inline stltsa_interval middle_cycle(const stltsa_clip* clip) {
-    stltsa_decomposition* d = NULL;
-    must(stltsa_decompose(clip, NULL, &d));
-    stltsa_interval cycle;
-    must(stltsa_decomposition_cycle(d, 1, &cycle));
+static inline stltsa_part middle_cycle(const stltsa_clip* clip) {
+    stltsa_decomposition* d = decomposed(clip, NULL);
+    const stltsa_part cycle = cycle_at(d, 1);
     stltsa_decomposition_free(d);
     return cycle;
 }
@@ -161,10 +109,5 @@ static inline stltsa_clip* new_figure(struct figure f) {
     free(text);
     return clip;
 }
-
-/* Runs the tests on the walker named on the command line. */
-#define run_on_walker(tests, argc, argv)                                                           \
-    ((argc) == 2 ? (walker_path = (argv)[1], cmocka_run_group_tests(tests, NULL, NULL))            \
-                 : (print_error("usage: %s WALK.BVH\n", (argv)[0]), 2))
 
 #endif

@@ -126,8 +126,10 @@ stltsa_status stltsa_info_rows(const stltsa_info* info, int32_t key, int64_t beg
                  [](const capi::InfoRow& row) { return row.row != nullptr; });
         const int64_t all = list.count(*info);
         if (begin < 0 || count < 0 || begin > all || count > all - begin)
-            fail(Status::argument, "rows {} to {} of {} do not exist: there are {} here", begin,
-                 begin + count, name_of(key), all);
+            fail(Status::argument, "{} rows of {} from {} on do not exist: there are {} here",
+                 count, name_of(key), begin, all);
+        if (row_size == 0)
+            fail(Status::argument, "row_size is 0; it must be the size of the struct");
         if (count > 0)
             required(static_cast<char*>(rows), "rows");
         for (int64_t i = 0; i < count; ++i)
@@ -153,9 +155,11 @@ stltsa_status stltsa_info_shape(const stltsa_info* info, int32_t key, int64_t* r
         const capi::InfoRow& found = array_row(info, key);
         if (found.count(*info) == 0)
             fail(Status::argument, "there is no {} here", name_of(key));
+        required(rows, "rows");
+        required(cols, "cols");
         const capi::Shape shape = found.shape(*info);
-        required(rows, "rows") = shape.rows;
-        required(cols, "cols") = shape.cols;
+        *rows = shape.rows;
+        *cols = shape.cols;
     });
 }
 

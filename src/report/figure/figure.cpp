@@ -28,9 +28,9 @@ std::string summary_of(const results::Decomposed& found) {
         if (found.summaries.size() > 1)
             text += std::string(motion.letters) + ": ";
         text += format_text("{} of {:.3f} s",
-                            counted(motion.count, cyclic ? "cycle" : "repetition"), motion.mean_s);
+                            counted(motion.count, cyclic ? "cycle" : "repetition"), motion.cycle_time_s.mean);
         if (motion.count > 1)
-            text += format_text(", standard deviation {:.3f} s", motion.sd_s);
+            text += format_text(", standard deviation {:.3f} s", motion.cycle_time_s.sd);
     }
     return !text.empty() ? text : "no cycle" + (found.reason.empty() ? "" : "; " + found.reason);
 }
