@@ -38,19 +38,17 @@ static stltsa_status report(const stltsa_denoising* denoising, const double* poi
     static double cleaned[ROWS], curve[ROWS];
     const stltsa_out cleaned_out = {cleaned, ROWS, 1, 0, 0, STLTSA_F64, 0};
     const stltsa_out curve_out = {curve, ROWS, 1, 0, 0, STLTSA_F64, 0};
-    double gamma = 0;
-    int64_t moved = 0;
-    stltsa_status status = stltsa_denoising_cleaned(denoising, &cleaned_out);
+    const stltsa_info* info = stltsa_denoising_info(denoising);
+    stltsa_denoised_column column;
+    stltsa_status status = stltsa_info_array(info, STLTSA_INFO_CLEANED, 0, &cleaned_out);
     if (status == STLTSA_OK)
-        status = stltsa_denoising_curve(denoising, &curve_out);
+        status = stltsa_info_array(info, STLTSA_INFO_CURVE, 0, &curve_out);
     if (status == STLTSA_OK)
-        status = stltsa_info_real(stltsa_denoising_info(denoising), STLTSA_INFO_GAMMA, 0, &gamma);
-    if (status == STLTSA_OK)
-        status = stltsa_info_int(stltsa_denoising_info(denoising), STLTSA_INFO_MOVED, 0, &moved);
+        status = stltsa_info_rows(info, STLTSA_INFO_COLUMN, 0, 1, &column, sizeof column);
     if (status != STLTSA_OK)
         return status;
     printf("%lld of %d points are farther than %.3f from the curve and were moved\n",
-           (long long)moved, ROWS, gamma);
+           (long long)column.moved, ROWS, column.gamma);
     printf("error: points %.3f, moved points %.3f, curve %.3f\n", error(points), error(cleaned),
            error(curve));
     return STLTSA_OK;

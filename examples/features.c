@@ -26,10 +26,12 @@ static double path_length(const float* positions, int64_t frames, int64_t joints
 
 static stltsa_status print_joints(const stltsa_clip* clip, const float* positions) {
     const int64_t frames = stltsa_clip_frames(clip);
-    const int64_t joints = stltsa_clip_joints(clip);
+    const stltsa_info* info = stltsa_clip_info(clip);
+    const int64_t joints = stltsa_info_count(info, STLTSA_INFO_JOINT);
     for (int64_t j = 0; j < joints; ++j) {
-        stltsa_joint joint = {sizeof joint, NULL, 0, {0, 0, 0}, NULL, 0, 0};
-        const stltsa_status status = stltsa_clip_joint(clip, j, &joint);
+        stltsa_joint joint;
+        const stltsa_status status =
+            stltsa_info_rows(info, STLTSA_INFO_JOINT, j, 1, &joint, sizeof joint);
         if (status != STLTSA_OK)
             return status;
         printf("joint %2lld, parent %2lld, path %9.3f  %s%s\n", (long long)j,
@@ -41,14 +43,17 @@ static stltsa_status print_joints(const stltsa_clip* clip, const float* position
 
 /* The library fills the caller's arrays, and converts to float32 if asked. */
 static stltsa_status print_positions(const stltsa_clip* clip) {
-    const int64_t frames = stltsa_clip_frames(clip);
-    const int64_t columns = 3 * stltsa_clip_joints(clip);
+    const stltsa_info* info = stltsa_clip_info(clip);
+    int64_t frames = 0, columns = 0;
+    stltsa_status status = stltsa_info_shape(info, STLTSA_INFO_POSITIONS, &frames, &columns);
+    if (status != STLTSA_OK)
+        return status;
+
     float* positions = malloc((size_t)frames * (size_t)columns * sizeof *positions);
     const stltsa_out out = {positions, frames, columns, 0, 0, STLTSA_F32, 0};
-
-    stltsa_status status = STLTSA_E_NO_MEMORY;
+    status = STLTSA_E_NO_MEMORY;
     if (positions != NULL)
-        status = stltsa_clip_positions(clip, &out);
+        status = stltsa_info_array(info, STLTSA_INFO_POSITIONS, 0, &out);
     if (status == STLTSA_OK)
         status = print_joints(clip, positions);
     free(positions);
@@ -82,7 +87,8 @@ int main(int argc, char** argv) {
         return 2;
     }
     stltsa_status status = stltsa_clip_open(argv[1], NULL, &clip);
-    if (status == STLTSA_OK && stltsa_clip_joints(clip) > 0) /* 0: a plain matrix, no skeleton */
+    if (status == STLTSA_OK && /* 0: a plain matrix, no skeleton */
+        stltsa_info_count(stltsa_clip_info(clip), STLTSA_INFO_JOINT) > 0)
         status = print_positions(clip);
     if (status == STLTSA_OK)
         status = print_features(clip);

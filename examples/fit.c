@@ -54,22 +54,28 @@ static stltsa_status set_options(stltsa_options* options, int* calls_left) {
 static stltsa_status print_coordinates(const stltsa_model* model) {
     static double coords[FRAMES][2];
     const stltsa_out out = {coords, FRAMES, 2, 0, 0, STLTSA_F64, 0}; /* strides 0: packed rows */
+    const stltsa_info* info = stltsa_model_info(model);
+    stltsa_component component;
     int64_t neighbors = 0;
-    double residual = 0;
 
-    stltsa_status status = stltsa_model_coords(model, &out);
+    stltsa_status status = stltsa_info_array(info, STLTSA_INFO_COORDS, 0, &out);
     if (status == STLTSA_OK)
-        status = stltsa_info_int(stltsa_model_info(model), STLTSA_INFO_NEIGHBORS, 0, &neighbors);
+        status = stltsa_info_int(info, STLTSA_INFO_NEIGHBORS, 0, &neighbors);
     if (status == STLTSA_OK)
-        status = stltsa_info_real(stltsa_model_info(model), STLTSA_INFO_RESIDUAL, 0, &residual);
+        status = stltsa_info_rows(info, STLTSA_INFO_COMPONENT, 0, 1, &component, sizeof component);
     if (status != STLTSA_OK)
         return status;
 
-    printf("%d frames, %lld neighbors, residual %.1e\n", FRAMES, (long long)neighbors, residual);
+    printf("%d frames, %lld neighbors, residual %.1e\n", FRAMES, (long long)neighbors,
+           component.residual);
     for (int t = 0; t < FRAMES; t += PERIOD / 4)
         printf("frame %3d  %8.5f  %8.5f\n", t, coords[t][0], coords[t][1]);
-    for (int64_t i = 0; i < stltsa_model_warning_count(model); ++i)
-        printf("warning: %s\n", stltsa_model_warning(model, i));
+    for (int64_t i = 0; i < stltsa_info_count(info, STLTSA_INFO_WARNING); ++i) {
+        stltsa_warning warning;
+        if (stltsa_info_rows(info, STLTSA_INFO_WARNING, i, 1, &warning, sizeof warning) ==
+            STLTSA_OK)
+            printf("warning: %s\n", warning.text);
+    }
     return STLTSA_OK;
 }
 

@@ -16,17 +16,19 @@
 static stltsa_status learn(const stltsa_clip* clip, stltsa_model** model) {
     stltsa_decomposition* found = NULL;
     stltsa_phase* phase = NULL;
-    stltsa_interval cycle;
+    stltsa_part cycle;
     stltsa_status status = stltsa_decompose(clip, NULL, &found);
     if (status == STLTSA_OK)
         status = stltsa_phase_find(found, NULL, &phase);
     if (status == STLTSA_OK)
-        status = stltsa_fit_clip(clip, NULL, model);
+        status = stltsa_fit_clips(&clip, 1, NULL, model);
     if (status == STLTSA_OK)
-        status = stltsa_model_keep_cycle(*model, phase);
-    if (status == STLTSA_OK)
-        status = stltsa_decomposition_cycle(
-            found, stltsa_decomposition_cycle_count(found) > 1 ? 1 : 0, &cycle);
+        status = stltsa_model_keep_cycle(*model, phase, NULL);
+    if (status == STLTSA_OK) {
+        const stltsa_info* info = stltsa_decomposition_info(found);
+        const int64_t second = stltsa_info_count(info, STLTSA_INFO_CYCLE) > 1 ? 1 : 0;
+        status = stltsa_info_rows(info, STLTSA_INFO_CYCLE, second, 1, &cycle, sizeof cycle);
+    }
     if (status == STLTSA_OK)
         status =
             stltsa_model_keep_mark(*model, phase, (double)(cycle.begin + cycle.end) / 2, "middle");
@@ -37,9 +39,12 @@ static stltsa_status learn(const stltsa_clip* clip, stltsa_model** model) {
 
 /* Prints every tenth frame, and those at which a mark passes. */
 static void show(const stltsa_live* live, int64_t frame, const stltsa_live_frame* now) {
-    for (int64_t mark = 0; mark < stltsa_live_mark_count(live); ++mark)
-        if (now->passed >> mark & 1)
-            printf("frame %4lld: %s\n", (long long)frame, stltsa_live_mark_name(live, mark));
+    const stltsa_info* info = stltsa_live_info(live);
+    const char* name = NULL;
+    for (int64_t mark = 0; mark < stltsa_info_count(info, STLTSA_INFO_MARK); ++mark)
+        if (now->passed >> mark & 1 &&
+            stltsa_info_text(info, STLTSA_INFO_MARK, mark, &name) == STLTSA_OK)
+            printf("frame %4lld: %s\n", (long long)frame, name);
     if (frame % 10 == 0)
         printf("frame %4lld: %-6s phase %.3f, %.2f Hz, %.1f cycles\n", (long long)frame,
                stltsa_segment_name(now->kind), now->phase, now->rate_hz, now->cycles);

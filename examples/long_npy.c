@@ -72,7 +72,7 @@ static stltsa_status write_npy(const char* clip_path, const char* npy_path) {
     stltsa_clip* clip = NULL;
     stltsa_status status = stltsa_clip_open(clip_path, NULL, &clip);
     if (status == STLTSA_OK)
-        status = stltsa_clip_save(clip, npy_path);
+        status = stltsa_clip_save(clip, npy_path, NULL);
     stltsa_clip_free(clip);
     return status;
 }
@@ -80,8 +80,7 @@ static stltsa_status write_npy(const char* clip_path, const char* npy_path) {
 static stltsa_status fit(const stltsa_in* frames) {
     stltsa_options* options = NULL;
     stltsa_model* model = NULL;
-    int64_t components = 0;
-    double error = 0;
+    stltsa_component component;
 
     stltsa_status status = stltsa_options_new(&options);
     if (status == STLTSA_OK)
@@ -91,12 +90,13 @@ static stltsa_status fit(const stltsa_in* frames) {
     if (status == STLTSA_OK)
         status = stltsa_fit(frames, NULL, options, &model);
     if (status == STLTSA_OK)
-        status = stltsa_info_int(stltsa_model_info(model), STLTSA_INFO_COMPONENTS, 0, &components);
-    if (status == STLTSA_OK)
-        status = stltsa_info_real(stltsa_model_info(model), STLTSA_INFO_ERROR_ESTIMATE, 0, &error);
+        status = stltsa_info_rows(stltsa_model_info(model), STLTSA_INFO_COMPONENT, 0, 1, &component,
+                                  sizeof component);
     if (status == STLTSA_OK)
         printf("%lld frames of %lld numbers, components: %lld, error estimate of the first %.1e\n",
-               (long long)frames->rows, (long long)frames->cols, (long long)components, error);
+               (long long)frames->rows, (long long)frames->cols,
+               (long long)stltsa_info_count(stltsa_model_info(model), STLTSA_INFO_COMPONENT),
+               component.error_estimate_rad);
     stltsa_model_free(model);
     stltsa_options_free(options);
     return status;

@@ -30,7 +30,7 @@ static stltsa_status fit(const stltsa_clip* clip, stltsa_model** model) {
         status =
             stltsa_options_set_real(options, STLTSA_OPT_SAMPLE_RATE, stltsa_clip_fps(clip) / 2);
     if (status == STLTSA_OK)
-        status = stltsa_fit_clip(clip, options, model);
+        status = stltsa_fit_clips(&clip, 1, options, model);
     stltsa_options_free(options);
     return status;
 }
@@ -73,7 +73,7 @@ static stltsa_status there_and_back(const stltsa_clip* clip, const char* path) {
         status = stltsa_unmap_clip(model, &points, NULL, NULL, NULL, NULL, &poses);
     }
     if (status == STLTSA_OK)
-        status = stltsa_clip_save(poses, path);
+        status = stltsa_clip_save(poses, path, NULL);
     if (status == STLTSA_OK)
         printf("poses: %lld frames at %g a second\n", (long long)stltsa_clip_frames(poses),
                stltsa_clip_fps(poses));

@@ -18,10 +18,10 @@ int main(int argc, char** argv) {
         options.set(STLTSA_OPT_THREADS, 1);
         const stltsa::Clip clip = stltsa::Clip::open(argv[1]);
         const stltsa::Decomposition found = stltsa::decompose(clip, options);
-        for (const stltsa::Interval& unit : found.units())
+        for (const stltsa::Unit& unit : found.units())
             std::cout << stltsa::unit_name(unit.kind) << ' ' << unit.begin_s << " s to "
                       << unit.end_s << " s\n";
-        std::cout << found.cycle_count() << " cycles, period "
+        std::cout << found.cycles().size() << " cycles, period "
                   << found.info().real(STLTSA_INFO_PERIOD) << " s\n";
     } catch (const std::exception& error) {
         std::cerr << error.what() << '\n';

@@ -64,7 +64,7 @@ static void write_coords(const stltsa_model* model, int64_t rows, const char* pa
     out.rows = rows;
     out.cols = dimension;
     out.dtype = STLTSA_F64;
-    check(stltsa_model_coords(model, &out));
+    check(stltsa_info_array(stltsa_model_info(model), STLTSA_INFO_COORDS, 0, &out));
     if (file == NULL || fwrite(y, sizeof *y, count, file) != count || fclose(file) != 0) {
         fprintf(stderr, "fit_frames: %s cannot be written\n", path);
         exit(1);
@@ -74,16 +74,14 @@ static void write_coords(const stltsa_model* model, int64_t rows, const char* pa
 
 static void print_model(const stltsa_model* model) {
     const stltsa_info* info = stltsa_model_info(model);
-    int64_t solves = 0, components;
+    const int64_t components = stltsa_info_count(info, STLTSA_INFO_COMPONENT);
+    int64_t solves = 0;
     double largest = 0;
-    check(stltsa_info_int(info, STLTSA_INFO_COMPONENTS, 0, &components));
     for (int64_t i = 0; i < components; ++i) {
-        int64_t count;
-        double estimate;
-        check(stltsa_info_int(info, STLTSA_INFO_SOLVES, i, &count));
-        check(stltsa_info_real(info, STLTSA_INFO_ERROR_ESTIMATE, i, &estimate));
-        solves += count;
-        largest = estimate > largest ? estimate : largest;
+        stltsa_component part;
+        check(stltsa_info_rows(info, STLTSA_INFO_COMPONENT, i, 1, &part, sizeof part));
+        solves += part.solves;
+        largest = part.error_estimate_rad > largest ? part.error_estimate_rad : largest;
     }
     printf("\"solves\": %lld, \"components\": %lld, \"error_estimate\": %.3g", (long long)solves,
            (long long)components, largest);

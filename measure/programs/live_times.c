@@ -20,10 +20,10 @@ static stltsa_model* taught_by(const stltsa_clip* clip) {
     stltsa_model* model = NULL;
     stltsa_decomposition* found = NULL;
     stltsa_phase* phase = NULL;
-    check(stltsa_fit_clip(clip, NULL, &model));
+    check(stltsa_fit_clips(&clip, 1, NULL, &model));
     check(stltsa_decompose(clip, NULL, &found));
     check(stltsa_phase_find(found, NULL, &phase));
-    check(stltsa_model_keep_cycle(model, phase));
+    check(stltsa_model_keep_cycle(model, phase, NULL));
     stltsa_phase_free(phase);
     stltsa_decomposition_free(found);
     return model;
@@ -84,8 +84,10 @@ int main(int argc, char** argv) {
     check(stltsa_clip_open(argv[1], options, &clip));
     model = taught_by(clip);
     measured("frames of the clip", model, clip, NULL, 0);
-    if (stltsa_clip_joints(clip) == 0) {
-        const int64_t frames = stltsa_clip_frames(clip), columns = stltsa_clip_channels(clip);
+    if (stltsa_info_count(stltsa_clip_info(clip), STLTSA_INFO_JOINT) == 0) {
+        const int64_t frames = stltsa_clip_frames(clip);
+        int64_t columns = 0;
+        check(stltsa_info_int(stltsa_clip_info(clip), STLTSA_INFO_CHANNELS, 0, &columns));
         double* points = malloc((size_t)(frames * columns) * sizeof *points);
         const stltsa_out out = {points, frames, columns, 0, 0, STLTSA_F64, 0};
         int64_t i;

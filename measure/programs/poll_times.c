@@ -85,7 +85,7 @@ static void write_and_read(const stltsa_clip* clip, const char* path,
                            const stltsa_options* options) {
     stltsa_clip* again = NULL;
     double begin = start();
-    finish("stltsa_clip_save", begin, stltsa_clip_save_with(clip, path, options));
+    finish("stltsa_clip_save", begin, stltsa_clip_save(clip, path, options));
     begin = start();
     finish("stltsa_clip_open", begin, stltsa_clip_open(path, options, &again));
     stltsa_clip_free(again);
@@ -99,21 +99,21 @@ static void compare_and_find_events(const stltsa_phase* phase, const stltsa_phas
     const stltsa_in marks = {&mark, 1, 1, 0, 0, STLTSA_F64, 0};
     double begin = start();
     finish("stltsa_compare", begin,
-           stltsa_compare_with(phase, 0, phase, 0, 101, options, &comparison));
+           stltsa_compare(phase, 0, phase, 0, 101, options, &comparison));
     begin = start();
     finish("stltsa_events_find", begin,
-           stltsa_events_find_with(phase, &marks, NULL, options, &events));
+           stltsa_events_find(phase, &marks, NULL, options, &events));
     stltsa_events_free(events);
     events = NULL;
     begin = start();
     finish("stltsa_events_find,other", begin,
-           stltsa_events_find_with(phase, &marks, again, options, &events));
+           stltsa_events_find(phase, &marks, again, options, &events));
     stltsa_events_free(events);
     stltsa_comparison_free(comparison);
 }
 
 static void map_and_clean(const stltsa_model* model, const stltsa_in* in,
-                          const stltsa_options* options) {
+                          stltsa_options* options) {
     int64_t dimension = 0;
     check(stltsa_info_int(stltsa_model_info(model), STLTSA_INFO_DIMENSION, 0, &dimension));
     double* at = allocate((size_t)(in->rows * dimension) * sizeof *at);
@@ -122,7 +122,7 @@ static void map_and_clean(const stltsa_model* model, const stltsa_in* in,
     const stltsa_in points = {at, in->rows, dimension, 0, 0, STLTSA_F64, 0};
     const stltsa_out frames = {back, in->rows, in->cols, 0, 0, STLTSA_F64, 0};
     stltsa_denoising* denoising = NULL;
-    stltsa_dimension* estimated = NULL;
+    stltsa_model* intrinsic = NULL;
     double begin = start();
     finish("stltsa_map", begin, stltsa_map(model, in, NULL, options, &coords, NULL, NULL));
     begin = start();
@@ -130,9 +130,10 @@ static void map_and_clean(const stltsa_model* model, const stltsa_in* in,
     begin = start();
     finish("stltsa_denoise", begin, stltsa_denoise(in, NULL, options, &denoising));
     begin = start();
-    finish("stltsa_estimate_dimension", begin,
-           stltsa_estimate_dimension(in, NULL, options, &estimated));
-    stltsa_dimension_free(estimated);
+    check(stltsa_options_set_int(options, STLTSA_OPT_INTRINSIC, 1));
+    finish("stltsa_fit,intrinsic", begin, stltsa_fit(in, NULL, options, &intrinsic));
+    check(stltsa_options_unset(options, STLTSA_OPT_INTRINSIC));
+    stltsa_model_free(intrinsic);
     stltsa_denoising_free(denoising);
     free(back);
     free(at);
@@ -193,7 +194,7 @@ static void fit_mode(const stltsa_clip* clip, const char* name, int32_t mode,
     stltsa_model* model = NULL;
     check(stltsa_options_set_int(options, STLTSA_OPT_MODE, mode));
     const double begin = start();
-    finish(name, begin, stltsa_fit_clip(clip, options, &model));
+    finish(name, begin, stltsa_fit_clips(&clip, 1, options, &model));
     stltsa_model_free(model);
 }
 
@@ -247,7 +248,8 @@ int main(int argc, char** argv) {
         finish("stltsa_phase_find", begin, stltsa_phase_find(made, options, &phase));
     }
     begin = start();
-    finish("stltsa_fit_clip", begin, stltsa_fit_clip(clip, options, &model));
+    const stltsa_clip* const clips[] = {clip};
+    finish("stltsa_fit_clips", begin, stltsa_fit_clips(clips, 1, options, &model));
     if (argc > 4 && !gaps) {
         stltsa_phase* again = NULL;
         check(stltsa_phase_find(made, NULL, &again));
@@ -260,8 +262,8 @@ int main(int argc, char** argv) {
     if (argc > 5) {
         report(clip, made, argv[4], options);
         map_and_clean(model, &in, options);
-        fit_mode(clip, "stltsa_fit_clip,spatial", STLTSA_MODE_SPATIAL, options);
-        fit_mode(clip, "stltsa_fit_clip,recurrent", STLTSA_MODE_RECURRENT, options);
+        fit_mode(clip, "stltsa_fit_clips,spatial", STLTSA_MODE_SPATIAL, options);
+        fit_mode(clip, "stltsa_fit_clips,recurrent", STLTSA_MODE_RECURRENT, options);
     }
     free(x);
 

@@ -29,8 +29,10 @@ int main(int argc, char** argv) {
     check(stltsa_clip_open(argv[1], options, &clip));
     check(stltsa_decompose(clip, options, &units));
     total = seconds_of(CLOCK_MONOTONIC) - start;
+    int64_t channels = 0;
+    check(stltsa_info_int(stltsa_clip_info(clip), STLTSA_INFO_CHANNELS, 0, &channels));
     printf("%lld frames, %lld channels\n", (long long)stltsa_clip_frames(clip),
-           (long long)stltsa_clip_channels(clip));
+           (long long)channels);
     for (stage = 0; stage < stages; ++stage)
         printf("  %-10s %8.4f s  %5.1f %%\n", stage_names[stage], times.seconds[stage],
                100 * times.seconds[stage] / total);

@@ -90,6 +90,7 @@ static void use_model(const unsigned char* data, size_t size) {
     MAKES(stltsa_model_serialize(model, &bytes, &count), bytes);
     promise(bytes == NULL || (count == size && memcmp(bytes, data, size) == 0), "the same bytes");
     stltsa_free(bytes);
+    read_all(stltsa_model_info(model));
     map_there_and_back(model);
     stltsa_model_free(model);
 }

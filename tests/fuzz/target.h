@@ -53,13 +53,46 @@ static inline stltsa_in given(const double* values, int64_t rows, int64_t cols) 
     return in;
 }
 
+static inline stltsa_status fit_clip(const stltsa_clip* clip, const stltsa_options* options,
+                                     stltsa_model** model) {
+    return stltsa_fit_clips(&clip, 1, options, model);
+}
+
+/* Reads the first value, row or array of each key; a handle has what it counts. */
+static inline void read_all(const stltsa_info* info) {
+    stltsa_info_key key = {.size = sizeof key};
+    for (int64_t i = 0; stltsa_info_describe(i, &key) == STLTSA_OK; ++i) {
+        int64_t whole = 0, rows = 0, cols = 0;
+        double real = 0;
+        const char* text = NULL;
+        char row[1024];
+        if (stltsa_info_count(info, key.key) == 0)
+            continue;
+        stltsa_status status =
+            key.type == STLTSA_TYPE_INT    ? stltsa_info_int(info, key.key, 0, &whole)
+            : key.type == STLTSA_TYPE_REAL ? stltsa_info_real(info, key.key, 0, &real)
+            : key.type == STLTSA_TYPE_TEXT ? stltsa_info_text(info, key.key, 0, &text)
+            : key.type == STLTSA_TYPE_ROWS ? stltsa_info_rows(info, key.key, 0, 1, row, sizeof row)
+                                           : stltsa_info_shape(info, key.key, &rows, &cols);
+        if (status == STLTSA_OK && key.type == STLTSA_TYPE_ARRAY && rows * cols < 100000) {
+            double* values = malloc((size_t)(rows * cols) * sizeof *values + 1);
+            const stltsa_out to = packed(values, rows, cols);
+            if (values != NULL)
+                status = stltsa_info_array(info, key.key, 0, &to);
+            free(values);
+        }
+        promise(status == STLTSA_OK, key.name);
+    }
+}
+
 /* Asks a clip for all that is cheap, and decomposes it if it is small. */
 static inline void use_clip(const stltsa_clip* clip) {
     const int64_t frames = stltsa_clip_frames(clip);
     int64_t columns = 0;
     char* json = NULL;
-    MAKES(stltsa_clip_json(clip, &json), json);
+    MAKES(stltsa_info_json(stltsa_clip_info(clip), &json), json);
     stltsa_free(json);
+    read_all(stltsa_clip_info(clip));
     if (stltsa_clip_feature_count(clip, NULL, &columns) != STLTSA_OK || frames * columns > 20000)
         return;
     double* values = malloc((size_t)(frames * columns) * sizeof *values);
@@ -73,8 +106,10 @@ static inline void use_clip(const stltsa_clip* clip) {
     stltsa_phase* phase = NULL;
     stltsa_clip* image = NULL;
     MAKES(stltsa_decompose(clip, NULL, &found), found);
-    if (found != NULL)
+    if (found != NULL) {
+        read_all(stltsa_decomposition_info(found));
         MAKES(stltsa_phase_find(found, NULL, &phase), phase);
+    }
     MAKES(stltsa_clip_mirror(clip, NULL, &image), image);
     stltsa_clip_free(image);
     stltsa_phase_free(phase);

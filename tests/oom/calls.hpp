@@ -7,6 +7,17 @@
 inline double room[1 << 16]; ///< memory for outputs, of which only the hash is used
 inline double more_room[1 << 16];
 
+inline stltsa_status fitted_clip(const stltsa_clip* clip, stltsa_model*& model) {
+    return stltsa_fit_clips(&clip, 1, nullptr, &model);
+}
+
+/// A whole number that the handle has; -1: it has none.
+inline std::int64_t whole_of(const stltsa_info* info, std::int32_t key) {
+    std::int64_t value = -1;
+    stltsa_info_int(info, key, 0, &value);
+    return value;
+}
+
 /// Makes calls in order until one fails.
 class Calls {
   public:

@@ -24,8 +24,9 @@ struct Stream {
         frame.size = sizeof frame;
         stltsa_decompose(clip, nullptr, &found);
         stltsa_phase_find(found, nullptr, &phase);
-        stltsa_fit_clip(clip, nullptr, &model);
-        if (stltsa_model_keep_cycle(model, phase) == STLTSA_OK)
+        const stltsa_clip* const clips[] = {clip};
+        stltsa_fit_clips(clips, 1, nullptr, &model);
+        if (stltsa_model_keep_cycle(model, phase, nullptr) == STLTSA_OK)
             stltsa_live_new(model, &live);
     }
     ~Stream() {
@@ -114,14 +115,14 @@ bool poses_allocate_nothing() {
     for (int i = 0; i < 400; ++i)
         put_pose(i, rows.data() + 12 * i);
     const stltsa_joint joints[] = {
-        {sizeof(stltsa_joint), "hip", -1, {0, 0, 0}, nullptr, 0, 0},
-        {sizeof(stltsa_joint), "knee", 0, {0, -4, 0}, nullptr, 0, 0},
-        {sizeof(stltsa_joint), "foot", 1, {0, -4, 1}, nullptr, 1, 0},
+        {"hip", -1, {0, 0}, nullptr, 0},
+        {"knee", 0, {0, -4}, nullptr, 0},
+        {"foot", 1, {0, -4, 1}, nullptr, 1},
     };
     const stltsa_in rotations = {rows.data(), 400, 12, 0, 0, STLTSA_F64, 0};
     stltsa_clip* clip = nullptr;
-    stltsa_clip_from_skeleton(joints, 3, STLTSA_ROTATIONS_QUATERNION, &rotations, nullptr, 30,
-                              &clip);
+    stltsa_clip_from_skeleton(joints, sizeof *joints, 3, STLTSA_ROTATIONS_QUATERNION, &rotations,
+                              nullptr, 30, &clip);
     Stream stream(clip);
     return allocates_nothing("poses", stream,
                              [&](int i, double seconds) {

@@ -42,7 +42,7 @@ stltsa_status decompose(const std::string& input) {
     else if (clip != nullptr)
         status = 1;
     if (status == STLTSA_OK)
-        status = stltsa_decomposition_json(units, &json);
+        status = stltsa_info_json(stltsa_decomposition_info(units), &json);
     note(json);
     stltsa_free(json);
     stltsa_decomposition_free(units);
@@ -66,7 +66,7 @@ stltsa_status save(const std::string&) {
     ::mkdir(folder.c_str(), 0777);
     for (const std::string& path : paths) {
         if (status == STLTSA_OK)
-            status = stltsa_clip_save_with(clip, path.c_str(), nullptr);
+            status = stltsa_clip_save(clip, path.c_str(), nullptr);
         ::unlink(path.c_str());
     }
     stltsa_clip_free(clip);
@@ -124,7 +124,7 @@ stltsa_status note_model(const stltsa_model* model) {
 /// A model that keeps frames and poses.
 stltsa_status fit_clip(const std::string&) {
     stltsa_model* model = nullptr;
-    stltsa_status status = stltsa_fit_clip(swinging(), nullptr, &model);
+    stltsa_status status = fitted_clip(swinging(), model);
     if (status == STLTSA_OK)
         status = note_model(model);
     else if (model != nullptr)
@@ -137,7 +137,7 @@ stltsa_status fit_clip(const std::string&) {
 stltsa_status map(const std::string&) {
     static const stltsa_model* model = [] {
         stltsa_model* made = nullptr;
-        stltsa_fit_clip(swinging(), nullptr, &made);
+        fitted_clip(swinging(), made);
         return made;
     }();
     double coords[40][2], frames[3][9], distance[40];
@@ -177,7 +177,7 @@ stltsa_status map_swinging(const stltsa_model* model) {
 stltsa_status model_file(const std::string&) {
     static const stltsa_model* kept = [] {
         stltsa_model* made = nullptr;
-        stltsa_fit_clip(swinging(), nullptr, &made);
+        fitted_clip(swinging(), made);
         return made;
     }();
     static const std::string folder =
@@ -194,11 +194,11 @@ stltsa_status model_file(const std::string&) {
     else if (bytes != nullptr)
         status = 1;
     if (status == STLTSA_OK)
-        status = stltsa_model_save(kept, path.c_str());
+        status = stltsa_model_save(kept, path.c_str(), nullptr);
     else if (parsed != nullptr)
         status = 1;
     if (status == STLTSA_OK)
-        status = stltsa_model_load(path.c_str(), &loaded);
+        status = stltsa_model_load(path.c_str(), nullptr, &loaded);
     if (status != STLTSA_OK && loaded != nullptr)
         status = 1;
     if (status == STLTSA_OK)
@@ -256,14 +256,19 @@ stltsa_status fit_file(const std::string&) {
         (std::filesystem::temp_directory_path() / ("stltsa-oom-" + std::to_string(::getpid())))
             .string() +
         ".npy";
-    stltsa_clip* clip = nullptr;
+    static const std::string stretch = path + ":2-40";
+    stltsa_clip *clip = nullptr, *part = nullptr;
     stltsa_model* model = nullptr;
-    stltsa_status status = stltsa_clip_save(swinging(), path.c_str());
+    stltsa_status status = stltsa_clip_save(swinging(), path.c_str(), nullptr);
     if (status == STLTSA_OK)
         status = stltsa_clip_open(path.c_str(), nullptr, &clip);
     if (status == STLTSA_OK)
-        status = stltsa_fit_clip(clip, nullptr, &model);
+        status = stltsa_clip_open_stretch(stretch.c_str(), nullptr, &part);
     else if (clip != nullptr)
+        status = 1;
+    if (status == STLTSA_OK)
+        status = fitted_clip(part, model);
+    else if (part != nullptr)
         status = 1;
     if (status == STLTSA_OK)
         status = note_model(model);
@@ -271,6 +276,7 @@ stltsa_status fit_file(const std::string&) {
         status = 1;
     ::unlink(path.c_str());
     stltsa_model_free(model);
+    stltsa_clip_free(part);
     stltsa_clip_free(clip);
     return status;
 }
@@ -324,7 +330,7 @@ stltsa_status denoise(const std::string&) {
     if (status == STLTSA_OK)
         status = stltsa_denoise(&in, nullptr, options, &denoising);
     if (status == STLTSA_OK)
-        status = stltsa_denoising_json(denoising, &json);
+        status = stltsa_info_json(stltsa_denoising_info(denoising), &json);
     else if (denoising != nullptr)
         status = 1;
     note(json);
@@ -341,7 +347,7 @@ stltsa_status synthesize(const std::string&) {
     char* json = nullptr;
     stltsa_status status = stltsa_synthesize(&piece, 1, nullptr, &synthesis);
     if (status == STLTSA_OK)
-        status = stltsa_synthesis_json(synthesis, &json);
+        status = stltsa_info_json(stltsa_synthesis_info(synthesis), &json);
     else if (synthesis != nullptr)
         status = 1;
     note(json);
@@ -459,7 +465,8 @@ stltsa_status choose_subject(const std::string&) {
                                      &clip);
         },
         clip);
-    const bool chosen = !calls.good() || stltsa_clip_channels(clip) == 2;
+    const bool chosen =
+        !calls.good() || whole_of(stltsa_clip_info(clip), STLTSA_INFO_CHANNELS) == 2;
     stltsa_clip_free(clip);
     stltsa_options_free(made);
     return chosen ? calls.status() : 1;

@@ -70,7 +70,9 @@ std::vector<double> fitted(std::int64_t mode, std::int64_t threads, int left) {
     if (status == STLTSA_OK) {
         coords.resize(frames * 2);
         const stltsa_out out = {coords.data(), frames, 2, 0, 0, STLTSA_F64, 0};
-        expect(stltsa_model_coords(model, &out) == STLTSA_OK, "coordinates");
+        expect(stltsa_info_array(stltsa_model_info(model), STLTSA_INFO_COORDS, 0, &out) ==
+                   STLTSA_OK,
+               "coordinates");
     } else {
         expect(status == STLTSA_E_CANCELLED || status == STLTSA_E_UNSUPPORTED, "fit");
     }
@@ -132,6 +134,11 @@ std::vector<double> cancelled_by_another(std::int64_t mode, std::int32_t stage) 
     return {};
 }
 
+stltsa_status fit_clip(const stltsa_clip* clip, const stltsa_options* options,
+                       stltsa_model*& model) {
+    return stltsa_fit_clips(&clip, 1, options, &model);
+}
+
 /// Handles that all threads share, used only as const.
 struct Shared {
     stltsa_options* options = nullptr;
@@ -142,18 +149,18 @@ struct Shared {
 
     Shared() {
         const stltsa_in x = in();
-        const stltsa_joint joints[] = {
-            {sizeof(stltsa_joint), "hip", -1, {0, 0, 0}, "rz rx ry", 0, 0},
-            {sizeof(stltsa_joint), "knee", 0, {0, -4, 0}, "rz rx ry", 0, 0}};
-        const bool made = stltsa_options_new(&options) == STLTSA_OK &&
-                          stltsa_options_set_int(options, STLTSA_OPT_THREADS, 2) == STLTSA_OK &&
-                          stltsa_clip_from_matrix(&x, 30, &clip) == STLTSA_OK &&
-                          stltsa_clip_from_skeleton(joints, 2, STLTSA_ROTATIONS_CHANNELS, &x,
-                                                    nullptr, 30, &body) == STLTSA_OK &&
-                          stltsa_decompose(clip, nullptr, &parts) == STLTSA_OK &&
-                          stltsa_phase_find(parts, nullptr, &phase) == STLTSA_OK &&
-                          stltsa_fit_clip(clip, nullptr, &model) == STLTSA_OK &&
-                          stltsa_model_keep_cycle(model, phase) == STLTSA_OK;
+        const stltsa_joint joints[] = {{"hip", -1, {0, 0, 0}, "rz rx ry", 0},
+                                       {"knee", 0, {0, -4, 0}, "rz rx ry", 0}};
+        const bool made =
+            stltsa_options_new(&options) == STLTSA_OK &&
+            stltsa_options_set_int(options, STLTSA_OPT_THREADS, 2) == STLTSA_OK &&
+            stltsa_clip_from_matrix(&x, 30, &clip) == STLTSA_OK &&
+            stltsa_clip_from_skeleton(joints, sizeof *joints, 2, STLTSA_ROTATIONS_CHANNELS, &x,
+                                      nullptr, 30, &body) == STLTSA_OK &&
+            stltsa_decompose(clip, nullptr, &parts) == STLTSA_OK &&
+            stltsa_phase_find(parts, nullptr, &phase) == STLTSA_OK &&
+            fit_clip(clip, nullptr, model) == STLTSA_OK &&
+            stltsa_model_keep_cycle(model, phase, nullptr) == STLTSA_OK;
         if (!made) {
             std::printf("%s\n", stltsa_last_error());
             std::exit(1);
@@ -209,19 +216,23 @@ std::vector<double> streamed(const Shared& shared) {
 std::vector<double> decomposed(const Shared& shared) {
     stltsa_decomposition* parts = nullptr;
     expect(stltsa_decompose(shared.clip, shared.options, &parts) == STLTSA_OK, "decompose");
+    const stltsa_info* info = stltsa_decomposition_info(parts);
+    std::vector<stltsa_part> cycles(
+        static_cast<std::size_t>(stltsa_info_count(info, STLTSA_INFO_CYCLE)));
+    expect(stltsa_info_rows(info, STLTSA_INFO_CYCLE, 0, std::ssize(cycles), cycles.data(),
+                            sizeof(stltsa_part)) == STLTSA_OK,
+           "cycles");
     std::vector<double> borders;
-    for (std::int64_t i = 0; i < stltsa_decomposition_cycle_count(parts); ++i) {
-        stltsa_interval cycle{};
-        stltsa_decomposition_cycle(parts, i, &cycle);
+    for (const stltsa_part& cycle : cycles)
         borders.push_back(cycle.begin_s);
-    }
     stltsa_decomposition_free(parts);
     return borders;
 }
 
-/// A hash of the text of a result. Frees the text.
-double hash_of(stltsa_status status, char* text, const char* what) {
-    expect(status == STLTSA_OK, what);
+/// A hash of the JSON of a result.
+double hash_of(const stltsa_info* info) {
+    char* text = nullptr;
+    expect(stltsa_info_json(info, &text) == STLTSA_OK, "JSON");
     const std::string copy = text == nullptr ? "" : text;
     stltsa_free(text);
     return static_cast<double>(std::hash<std::string>{}(copy));
@@ -234,13 +245,12 @@ std::vector<double> phases(const Shared& shared) {
     const stltsa_out second = {values.data() + frames, frames, 1, 0, 0, STLTSA_F64, 0};
     stltsa_phase* again = nullptr;
     expect(stltsa_phase_find(shared.parts, shared.options, &again) == STLTSA_OK, "phase");
-    expect(stltsa_phase_values(again, &first, nullptr, nullptr) == STLTSA_OK &&
-               stltsa_phase_values(shared.phase, &second, nullptr, nullptr) == STLTSA_OK,
-           "values of the phase");
+    const auto read = [](const stltsa_phase* phase, const stltsa_out& to) {
+        return stltsa_info_array(stltsa_phase_info(phase), STLTSA_INFO_PHASE, 0, &to) == STLTSA_OK;
+    };
+    expect(read(again, first) && read(shared.phase, second), "values of the phase");
     stltsa_phase_free(again);
-    char* text = nullptr;
-    const stltsa_status status = stltsa_decomposition_json(shared.parts, &text);
-    values.push_back(hash_of(status, text, "JSON"));
+    values.push_back(hash_of(stltsa_decomposition_info(shared.parts)));
     for (double& value : values)
         value = std::isnan(value) ? -1 : value; // outside cycles; NaN would differ from itself
     return values;
@@ -249,30 +259,30 @@ std::vector<double> phases(const Shared& shared) {
 /// A comparison, a dimension, a denoising and a synthesis of the shared handles, and reports.
 std::vector<double> derived(const Shared& shared) {
     stltsa_comparison* comparison = nullptr;
-    stltsa_dimension* dimension = nullptr;
+    stltsa_model* intrinsic = nullptr;
     stltsa_denoising* denoising = nullptr;
     stltsa_synthesis* synthesis = nullptr;
     const stltsa_piece piece = {shared.body, 8, 48, 2, 0};
-    expect(stltsa_compare(shared.phase, -1, shared.phase, -1, 21, &comparison) == STLTSA_OK &&
-               stltsa_estimate_dimension_clip(shared.clip, shared.options, &dimension) ==
+    stltsa_options* options = nullptr;
+    stltsa_options_new(&options);
+    stltsa_options_set_int(options, STLTSA_OPT_INTRINSIC, 1);
+    expect(stltsa_compare(shared.phase, -1, shared.phase, -1, 21, nullptr, &comparison) ==
                    STLTSA_OK &&
+               fit_clip(shared.clip, options, intrinsic) == STLTSA_OK &&
                stltsa_denoise_model(shared.model, shared.options, &denoising) == STLTSA_OK &&
                stltsa_synthesize(&piece, 1, nullptr, &synthesis) == STLTSA_OK,
            "derived results");
     expect(stltsa_report_save(shared.clip, shared.parts, shared.options, "", "/dev/null") ==
                    STLTSA_OK &&
-               stltsa_comparison_report_save(comparison, "", "/dev/null") == STLTSA_OK,
+               stltsa_comparison_report_save(comparison, nullptr, "", "/dev/null") == STLTSA_OK,
            "reports");
-    char* texts[4] = {};
-    const stltsa_status statuses[] = {
-        stltsa_comparison_json(comparison, &texts[0]), stltsa_dimension_json(dimension, &texts[1]),
-        stltsa_denoising_json(denoising, &texts[2]), stltsa_synthesis_json(synthesis, &texts[3])};
-    std::vector<double> hashes;
-    for (int i = 0; i < 4; ++i)
-        hashes.push_back(hash_of(statuses[i], texts[i], "JSON of derived results"));
+    const std::vector<double> hashes = {
+        hash_of(stltsa_comparison_info(comparison)), hash_of(stltsa_model_info(intrinsic)),
+        hash_of(stltsa_denoising_info(denoising)), hash_of(stltsa_synthesis_info(synthesis))};
     stltsa_synthesis_free(synthesis);
     stltsa_denoising_free(denoising);
-    stltsa_dimension_free(dimension);
+    stltsa_model_free(intrinsic);
+    stltsa_options_free(options);
     stltsa_comparison_free(comparison);
     return hashes;
 }

@@ -59,7 +59,8 @@ std::string serialized_model() {
     assert_int_equal(stltsa_options_new(&options), STLTSA_OK);
     stltsa_options_set_int(options, STLTSA_OPT_NEIGHBORS, 8);
     stltsa_model* model = nullptr;
-    assert_int_equal(stltsa_fit_clip(clip, options, &model), STLTSA_OK);
+    const stltsa_clip* const clips[] = {clip};
+    assert_int_equal(stltsa_fit_clips(clips, 1, options, &model), STLTSA_OK);
     std::string bytes = archived(*model);
     stltsa_model_free(model);
     stltsa_options_free(options);
@@ -88,7 +89,7 @@ void seal(std::string& bytes) {
 /// Calls every function that reads a model; whatever the status, nothing may crash.
 void use(const stltsa_model& model) {
     char* json = nullptr;
-    if (stltsa_model_json(&model, &json) == STLTSA_OK)
+    if (stltsa_info_json(stltsa_model_info(&model), &json) == STLTSA_OK)
         stltsa_free(json);
     std::int64_t features = 0;
     std::int64_t dimension = 0;
