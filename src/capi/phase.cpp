@@ -69,6 +69,7 @@ stltsa_status stltsa_cycles_resample(const stltsa_phase* phase, int64_t label,
         capi::check_samples(samples);
         const capi::OptionsReader reader(options);
         const Progress progress = reader.progress();
+        progress.report(Stage::units, 0);
         *cycles = new stltsa_cycles(results::resample(by, label, input.view(), samples,
                                                       [&] { progress.report(Stage::units, 1); }));
     });
@@ -90,6 +91,7 @@ stltsa_status stltsa_cycles_between(const stltsa_in* borders, const stltsa_in* s
         check_borders(rows, input.view().rows);
         const capi::OptionsReader reader(options);
         const Progress progress = reader.progress();
+        progress.report(Stage::units, 0);
         *cycles = new stltsa_cycles(phase::resample(input.view(),
                                                     {phase::times_between(rows, samples), {}},
                                                     [&] { progress.report(Stage::units, 1); }));
