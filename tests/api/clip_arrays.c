@@ -14,7 +14,6 @@ static void get_joints(const stltsa_clip* clip, stltsa_joint* joints) {
 static char* answer_of(const stltsa_clip* clip) {
     stltsa_decomposition* units = decomposed(clip, NULL);
     char* json = json_of(units);
-    stltsa_decomposition_free(units);
     return json;
 }
 
@@ -25,8 +24,7 @@ static const char* answer_in(const char* json) {
     return at;
 }
 
-static void channels_of_a_skeleton_keep_every_bit(void** state) {
-    (void)state;
+TEST(channels_of_a_skeleton_keep_every_bit) {
     stltsa_clip *clip = opened(), *made = NULL;
     stltsa_joint joints[most_joints];
     get_joints(clip, joints);
@@ -41,16 +39,10 @@ static void channels_of_a_skeleton_keep_every_bit(void** state) {
     assert_memory_equal(back, values, (size_t)(frames * cols) * sizeof *values);
     char *first = answer_of(clip), *second = answer_of(made);
     assert_string_equal(answer_in(first), answer_in(second));
-    stltsa_free(first);
-    stltsa_free(second);
-    free(back);
-    free(values);
     stltsa_clip_free(made);
-    stltsa_clip_free(clip);
 }
 
-static void quaternions_of_a_skeleton_give_its_positions(void** state) {
-    (void)state;
+TEST(quaternions_of_a_skeleton_give_its_positions) {
     stltsa_clip *clip = opened(), *made = NULL;
     stltsa_joint joints[most_joints];
     get_joints(clip, joints);
@@ -77,13 +69,8 @@ static void quaternions_of_a_skeleton_give_its_positions(void** state) {
                                        stltsa_clip_fps(clip), &made));
         double* back = array_of(made, STLTSA_INFO_POSITIONS);
         assert_below(largest_difference(back, positions, frames * count * 3), 1e-10, "positions");
-        free(back);
         stltsa_clip_free(made);
     }
-    free(matrices);
-    free(positions);
-    free(quaternions);
-    stltsa_clip_free(clip);
 }
 
 static void refuses_joints(stltsa_joint* joints, int64_t count, int32_t form, const stltsa_in* in,
@@ -95,8 +82,7 @@ static void refuses_joints(stltsa_joint* joints, int64_t count, int32_t form, co
 }
 
 /* Half turns, whose matrices have no w to divide by. */
-static void half_turns_of_matrices_are_exact(void** state) {
-    (void)state;
+TEST(half_turns_of_matrices_are_exact) {
     const stltsa_joint joint = {"hip", -1, {0, 0, 0}, NULL, 0};
     const double matrices[4 * 9] = {1,  0, 0, 0, 1, 0, 0, 0, 1,  1,  0, 0, 0, -1, 0, 0, 0, -1,
                                     -1, 0, 0, 0, 1, 0, 0, 0, -1, -1, 0, 0, 0, -1, 0, 0, 0, 1};
@@ -112,12 +98,10 @@ static void half_turns_of_matrices_are_exact(void** state) {
             product += rotations[4 * i + c] * expected[4 * i + c];
         assert_below(fabs(fabs(product) - 1), 1e-14, "half turn");
     }
-    free(rotations);
     stltsa_clip_free(clip);
 }
 
-static void skeletons_that_are_none(void** state) {
-    (void)state;
+TEST(skeletons_that_are_none) {
     stltsa_joint joints[] = {
         {"hip", -1, {0, 0, 0}, NULL, 0},
         {"knee", 0, {0, -1, 0}, "rz rx ry", 0},
@@ -180,8 +164,7 @@ static void skeletons_that_are_none(void** state) {
     assert_null(clip);
 }
 
-static void points_of_a_walker_have_its_cycles(void** state) {
-    (void)state;
+TEST(points_of_a_walker_have_its_cycles) {
     stltsa_clip *clip = opened(), *made = NULL;
     const int64_t cols = 3 * count_of(clip, STLTSA_INFO_JOINT), frames = stltsa_clip_frames(clip);
     double* positions = array_of(clip, STLTSA_INFO_POSITIONS);
@@ -206,9 +189,6 @@ static void points_of_a_walker_have_its_cycles(void** state) {
     stltsa_decomposition_free(of_points);
     stltsa_decomposition_free(of_body);
     stltsa_clip_free(made);
-    free(times);
-    free(positions);
-    stltsa_clip_free(clip);
 }
 
 static void refuses_points(const stltsa_points* points, stltsa_status status, const char* hint) {
@@ -217,8 +197,7 @@ static void refuses_points(const stltsa_points* points, stltsa_status status, co
     assert_null(clip);
 }
 
-static void points_have_names_confidence_and_gaps(void** state) {
-    (void)state;
+TEST(points_have_names_confidence_and_gaps) {
     double xy[3 * 4] = {1, 2, 3, 4, NAN, 77, 70, 80, 9, 10, 11, 12};
     double sure[3 * 2] = {1, 0.9, 1, 0.2, 0.7, 1}, times[3] = {0, 0.1, 0.2};
     const char* const names[] = {"nose", "tail"};
@@ -231,7 +210,6 @@ static void points_have_names_confidence_and_gaps(void** state) {
     double* raw = new_channels(clip); /* gaps are filled */
     const double filled[3 * 4] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
     assert_below(largest_difference(raw, filled, 12), 1e-12, "filled");
-    free(raw);
     stltsa_clip_free(clip);
     points.space = 4;
     refuses_points(&points, STLTSA_E_ARGUMENT, "2 or 3 coordinates");
@@ -264,8 +242,7 @@ static void points_have_names_confidence_and_gaps(void** state) {
     refuses_points(NULL, STLTSA_E_ARGUMENT, "points is NULL");
 }
 
-static void stretches_are_clips(void** state) {
-    (void)state;
+TEST(stretches_are_clips) {
     stltsa_clip *clip = opened(), *part = NULL, *same = NULL;
     char path[4096];
     snprintf(path, sizeof path, "%s:%s", walker_path, "120-240");
@@ -276,9 +253,6 @@ static void stretches_are_clips(void** state) {
     assert_int_equal(stltsa_clip_frames(part), 120);
     assert_memory_equal(a, all + 120 * cols, 120 * (size_t)cols * sizeof *a);
     assert_memory_equal(a, b, 120 * (size_t)cols * sizeof *a);
-    free(b);
-    free(a);
-    free(all);
     stltsa_clip_free(same);
     stltsa_clip_free(part);
     stltsa_interval found = {0, 0, 0, 0};
@@ -304,8 +278,6 @@ static void stretches_are_clips(void** state) {
     assert_int_equal(stltsa_clip_stretch(clip, "cyclic3", NULL, &part), STLTSA_E_ARGUMENT);
     assert_int_equal(stltsa_clip_stretch(clip, NULL, NULL, &part), STLTSA_E_ARGUMENT);
     assert_null(part);
-    stltsa_decomposition_free(units);
-    stltsa_clip_free(clip);
 }
 
 /* The walker's cycles, several times, each from where the one before ends. */
@@ -325,13 +297,11 @@ static double* new_long_walk(const stltsa_clip* clip, int64_t times, int64_t* fr
                 source[(cycles.begin + i % length) * cols + c] + (double)(i / length) * way;
         }
     *frames = times * length;
-    free(source);
     return walk;
 }
 
 /* A walk of which one second was not recorded: nothing continues over it. */
-static void nothing_continues_over_a_hole(void** state) {
-    (void)state;
+TEST(nothing_continues_over_a_hole) {
     stltsa_clip *clip = opened(), *made = NULL;
     int64_t frames = 0;
     const int64_t cols = 3 * count_of(clip, STLTSA_INFO_JOINT);
@@ -360,14 +330,10 @@ static void nothing_continues_over_a_hole(void** state) {
         const stltsa_part cycle = cycle_at(units, c);
         assert_true(cycle.end <= begin || cycle.begin >= end);
     }
-    stltsa_decomposition_free(units);
     stltsa_clip_free(made);
-    free(positions);
-    stltsa_clip_free(clip);
 }
 
-static void a_clip_of_arrays_says_where_it_is_from(void** state) {
-    (void)state;
+TEST(a_clip_of_arrays_says_where_it_is_from) {
     const double rows[] = {0, 1, 2, 3, 4, 5};
     const stltsa_in in = packed_in(rows, 3, 2);
     stltsa_clip* clip = NULL;

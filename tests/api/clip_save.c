@@ -36,7 +36,7 @@ static const char* in_folder(const char* name) {
 static stltsa_clip* parsed(const char* text) {
     stltsa_clip* clip = NULL;
     must(stltsa_clip_parse(text, strlen(text), 0, NULL, NULL, &clip));
-    return clip;
+    return keep_clip(clip);
 }
 
 static void assert_save_fails(const stltsa_clip* clip, const char* path, stltsa_status status,
@@ -44,8 +44,7 @@ static void assert_save_fails(const stltsa_clip* clip, const char* path, stltsa_
     must_fail(stltsa_clip_save(clip, path, NULL), status, words);
 }
 
-static void what_is_saved_reads_back(void** state) {
-    (void)state;
+TEST(what_is_saved_reads_back) {
     stltsa_clip* clip = parsed(pendulum);
     for (int i = 0; i < 3; ++i) {
         const char* path = in_folder((const char*[]){"a.bvh", "a.csv", "a.npy"}[i]);
@@ -58,11 +57,8 @@ static void what_is_saved_reads_back(void** state) {
         assert_true(stltsa_clip_fps(again) == (i == 2 ? 0 : 120)); /* NPY has no frame rate */
         double *x = new_channels(clip), *y = new_channels(again);
         assert_same_bits(x, y, 12);
-        free(x);
-        free(y);
         stltsa_clip_free(again);
     }
-    stltsa_clip_free(clip);
 }
 
 static stltsa_status save(void* clip, const stltsa_options* options) {
@@ -73,15 +69,12 @@ static stltsa_status save(void* clip, const stltsa_options* options) {
 }
 
 /* Before the text is made, and after: no file is written. */
-static void saving_can_be_cancelled(void** state) {
-    (void)state;
+TEST(saving_can_be_cancelled) {
     stltsa_clip* clip = parsed(pendulum);
     assert_int_equal(cancelled_calls(save, clip), 2);
-    stltsa_clip_free(clip);
 }
 
-static void clips_of_the_wrong_kind_are_refused(void** state) {
-    (void)state;
+TEST(clips_of_the_wrong_kind_are_refused) {
     stltsa_clip* clip = parsed(pendulum);
     assert_save_fails(clip, in_folder("a.txt"), STLTSA_E_ARGUMENT, ".bvh, .amc, .csv, .npy");
     assert_save_fails(clip, in_folder("bvh"), STLTSA_E_ARGUMENT, "suffix");
@@ -89,23 +82,19 @@ static void clips_of_the_wrong_kind_are_refused(void** state) {
     assert_save_fails(clip, NULL, STLTSA_E_ARGUMENT, "path");
     assert_save_fails(clip, "", STLTSA_E_ARGUMENT, "the path is empty");
     assert_save_fails(NULL, in_folder("a.bvh"), STLTSA_E_ARGUMENT, "clip");
-    stltsa_clip_free(clip);
 
     stltsa_clip* numbers = parsed("1,2\n3,4\n");
     assert_save_fails(numbers, in_folder("a.bvh"), STLTSA_E_UNSUPPORTED, "skeleton");
     assert_save_fails(numbers, in_folder("a.amc"), STLTSA_E_UNSUPPORTED, "AMC");
-    stltsa_clip_free(numbers);
 
     char text[sizeof pendulum];
     strcpy(text, pendulum);
     memset(strstr(text, ".0083333"), '0', 8);
     stltsa_clip* timeless = parsed(text);
     assert_save_fails(timeless, in_folder("a.bvh"), STLTSA_E_UNSUPPORTED, "fps");
-    stltsa_clip_free(timeless);
 }
 
-static void places_that_cannot_be_written_are_said(void** state) {
-    (void)state;
+TEST(places_that_cannot_be_written_are_said) {
     stltsa_clip* clip = parsed(pendulum);
     assert_save_fails(clip, "/nowhere/at all.bvh", STLTSA_E_IO, "/nowhere/at all.bvh");
     assert_int_equal(mkdir(in_folder("d.bvh"), 0777), 0);
@@ -114,11 +103,9 @@ static void places_that_cannot_be_written_are_said(void** state) {
     assert_int_equal(symlink("/dev/full", in_folder("full.bvh")), 0);
     assert_save_fails(clip, in_folder("full.bvh"), STLTSA_E_IO, "No space left");
     assert_int_equal(unlink(in_folder("full.bvh")), 0);
-    stltsa_clip_free(clip);
 }
 
-static void a_folder_without_permission_is_said(void** state) {
-    (void)state;
+TEST(a_folder_without_permission_is_said) {
     if (geteuid() == 0) {
         print_message("SKIPPED: to root every folder is writable\n");
         skip();
@@ -127,7 +114,6 @@ static void a_folder_without_permission_is_said(void** state) {
     assert_int_equal(chmod(folder, 0500), 0);
     assert_save_fails(clip, in_folder("a.bvh"), STLTSA_E_IO, "Permission denied");
     assert_int_equal(chmod(folder, 0700), 0);
-    stltsa_clip_free(clip);
 }
 
 int main(void) {

@@ -5,8 +5,8 @@
 /* The walker's default settings, see tests/walker/README.md. */
 static const double true_period = 1.1;
 static const double true_ends[] = {1.0, 1.8928494573520722, 5.1928494573520725, 6.027};
-static void five_units_in_order(void** state) {
-    (void)state;
+
+TEST(five_units_in_order) {
     stltsa_clip* clip = opened();
     stltsa_decomposition* d = decomposed(clip, NULL);
     assert_int_equal(count_of(d, STLTSA_INFO_UNIT), 5);
@@ -20,12 +20,9 @@ static void five_units_in_order(void** state) {
     }
     assert_int_equal(unit_at(d, 4).end, stltsa_clip_frames(clip));
     assert_string_equal(text_of(d, STLTSA_INFO_REASON), "");
-    stltsa_decomposition_free(d);
-    stltsa_clip_free(clip);
 }
 
-static void three_cycles_back_to_back(void** state) {
-    (void)state;
+TEST(three_cycles_back_to_back) {
     stltsa_clip* clip = opened();
     stltsa_decomposition* d = decomposed(clip, NULL);
     assert_int_equal(count_of(d, STLTSA_INFO_CYCLE), 3);
@@ -39,13 +36,10 @@ static void three_cycles_back_to_back(void** state) {
     assert_true(real_of(d, STLTSA_INFO_CYCLICITY) > 0.9);
     assert_in_range(int_of(d, STLTSA_INFO_REPRESENTATIVE), 0, 2);
     assert_in_range(int_of(d, STLTSA_INFO_BEST), 0, 2);
-    stltsa_decomposition_free(d);
-    stltsa_clip_free(clip);
 }
 
 /* No two of the first ones, which a picture shows, are alike, though the body stands twice. */
-static void postures_differ(void** state) {
-    (void)state;
+TEST(postures_differ) {
     stltsa_clip* clip = opened();
     stltsa_decomposition* d = decomposed(clip, NULL);
     const stltsa_info* info = stltsa_decomposition_info(d);
@@ -62,14 +56,10 @@ static void postures_differ(void** state) {
                 squares += pow(angles[a * cols + c] - angles[b * cols + c], 2);
             assert_true(squares > 0.02);
         }
-    free(angles);
-    stltsa_decomposition_free(d);
-    stltsa_clip_free(clip);
 }
 
 /* The second coordinate is a quarter of a cycle behind: the two go round. */
-static void the_first_coordinate_is_the_curve(void** state) {
-    (void)state;
+TEST(the_first_coordinate_is_the_curve) {
     stltsa_clip* clip = opened();
     stltsa_decomposition* d = decomposed(clip, NULL);
     const int64_t count = int_of(d, STLTSA_INFO_ROWS);
@@ -83,15 +73,10 @@ static void the_first_coordinate_is_the_curve(void** state) {
     }
     assert_true(square > 0 && second > 0.2 * square);
     assert_below(fabs(both), 0.3 * sqrt(square * second), "correlation of the two");
-    free(coords);
-    free(curve);
-    stltsa_decomposition_free(d);
-    stltsa_clip_free(clip);
 }
 
 /* A clip that stands still has coordinates of the shape that it says. */
-static void coordinates_of_a_clip_at_rest_are_zero(void** state) {
-    (void)state;
+TEST(coordinates_of_a_clip_at_rest_are_zero) {
     enum { rows = 90, cols = 4 };
     double* x = new_matrix(rows, cols);
     stltsa_clip* clip = matrix_clip(x, rows, cols, 30);
@@ -101,14 +86,9 @@ static void coordinates_of_a_clip_at_rest_are_zero(void** state) {
     double* coords = array_of(d, STLTSA_INFO_COORDS);
     for (int64_t i = 0; i < count; ++i)
         assert_true(coords[i] == 0);
-    free(coords);
-    free(x);
-    stltsa_decomposition_free(d);
-    stltsa_clip_free(clip);
 }
 
-static void threads_change_no_bit(void** state) {
-    (void)state;
+TEST(threads_change_no_bit) {
     stltsa_clip* clip = opened();
     double* curves[2];
     int64_t count = 0;
@@ -117,18 +97,12 @@ static void threads_change_no_bit(void** state) {
         stltsa_decomposition* d = decomposed(clip, options);
         curves[t] = array_of(d, STLTSA_INFO_CURVE);
         count = int_of(d, STLTSA_INFO_ROWS);
-        stltsa_decomposition_free(d);
-        stltsa_options_free(options);
     }
     assert_same_bits(curves[0], curves[1], count);
-    free(curves[0]);
-    free(curves[1]);
-    stltsa_clip_free(clip);
 }
 
 /* Rows of the walker's features, shifted and with their channels reversed. */
-static void shift_and_order_of_channels_change_no_unit(void** state) {
-    (void)state;
+TEST(shift_and_order_of_channels_change_no_unit) {
     stltsa_clip* clip = opened();
     const int64_t rows = stltsa_clip_frames(clip);
     int64_t cols = 0;
@@ -142,7 +116,6 @@ static void shift_and_order_of_channels_change_no_unit(void** state) {
     for (int v = 0; v < 2; ++v) {
         stltsa_clip* bare = matrix_clip(inputs[v], rows, cols, stltsa_clip_fps(clip));
         d[v] = decomposed(bare, NULL);
-        stltsa_clip_free(bare);
     }
     assert_int_equal(count_of(d[0], STLTSA_INFO_UNIT), 5);
     assert_int_equal(count_of(d[1], STLTSA_INFO_UNIT), 5);
@@ -150,15 +123,9 @@ static void shift_and_order_of_channels_change_no_unit(void** state) {
         assert_int_equal(unit_at(d[0], i).kind, unit_at(d[1], i).kind);
         assert_int_equal(unit_at(d[0], i).end, unit_at(d[1], i).end);
     }
-    stltsa_decomposition_free(d[0]);
-    stltsa_decomposition_free(d[1]);
-    free(x);
-    free(y);
-    stltsa_clip_free(clip);
 }
 
-static void noise_has_no_cycle_but_a_reason(void** state) {
-    (void)state;
+TEST(noise_has_no_cycle_but_a_reason) {
     enum { rows = 300, cols = 6 };
     double* x = new_matrix(rows, cols);
     uint64_t seed = 5;
@@ -174,14 +141,10 @@ static void noise_has_no_cycle_but_a_reason(void** state) {
     assert_int_equal(unit_at(d, count_of(d, STLTSA_INFO_UNIT) - 1).end, rows);
     for (int64_t i = 0; i < count_of(d, STLTSA_INFO_UNIT); ++i)
         assert_int_not_equal(unit_at(d, i).kind, STLTSA_UNIT_CYCLIC);
-    stltsa_decomposition_free(d);
-    stltsa_clip_free(clip);
-    free(x);
 }
 
 /* Frames along a line: the eigenvalues hardly differ, so a small Krylov space never converges. */
-static void one_blow_along_a_line(void** state) {
-    (void)state;
+TEST(one_blow_along_a_line) {
     enum { rows = 400 };
     double* x = new_matrix(rows, 2);
     for (int i = 0; i < rows; ++i) {
@@ -192,14 +155,10 @@ static void one_blow_along_a_line(void** state) {
     stltsa_clip* clip = matrix_clip(x, rows, 2, 100);
     stltsa_decomposition* d = decomposed(clip, NULL);
     assert_int_equal(count_of(d, STLTSA_INFO_CYCLE), 0);
-    stltsa_decomposition_free(d);
-    stltsa_clip_free(clip);
-    free(x);
 }
 
 /* Every stretch of the walk's cycles that begins and ends in the middle of a step. */
-static void a_cut_is_no_standing(void** state) {
-    (void)state;
+TEST(a_cut_is_no_standing) {
     stltsa_clip* walk = opened();
     int64_t cols = 0;
     double* x = new_features(walk, NULL, &cols);
@@ -214,11 +173,8 @@ static void a_cut_is_no_standing(void** state) {
         for (int64_t i = 0; i < count_of(d, STLTSA_INFO_UNIT); ++i)
             assert_true(unit_at(d, i).kind != STLTSA_UNIT_PREPARING &&
                         unit_at(d, i).kind != STLTSA_UNIT_WIND_UP);
-        stltsa_decomposition_free(d);
         stltsa_clip_free(clip);
     }
-    free(x);
-    stltsa_clip_free(walk);
 }
 
 struct stop {
@@ -232,8 +188,7 @@ static int32_t stop_after(void* user, int32_t stage, double fraction) {
     return ++stop->calls > stop->after;
 }
 
-static void cancelled_at_every_call(void** state) {
-    (void)state;
+TEST(cancelled_at_every_call) {
     stltsa_clip* clip = opened();
     stltsa_options* options = empty_options();
     stltsa_status status = STLTSA_E_CANCELLED;
@@ -248,8 +203,6 @@ static void cancelled_at_every_call(void** state) {
     }
     assert_int_equal(status, STLTSA_OK);
     assert_true(stop.after > 10);
-    stltsa_options_free(options);
-    stltsa_clip_free(clip);
 }
 
 struct way {
@@ -267,8 +220,7 @@ static int32_t only_forward(void* user, int32_t stage, double fraction) {
 }
 
 /* With several embeddings and, recurrent, a search for neighbors after that for the period. */
-static void progress_never_goes_back(void** state) {
-    (void)state;
+TEST(progress_never_goes_back) {
     stltsa_clip* clip = opened();
     struct way decomposing = {0};
     stltsa_options* options = NULL;
@@ -284,12 +236,11 @@ static void progress_never_goes_back(void** state) {
         struct way way = {0};
         must(stltsa_options_set_int(options, STLTSA_OPT_MODE, mode));
         must(stltsa_options_set_progress(options, only_forward, &way));
-        stltsa_model_free(fitted_clip(clip, options));
+        fitted_clip(clip, options);
         assert_int_equal(way.stage, STLTSA_STAGE_SPECTRUM);
         assert_true(way.fraction == 1 && way.calls > 10);
     }
     stltsa_options_free(options);
-    stltsa_clip_free(clip);
 }
 
 static int32_t stop_in_search(void* user, int32_t stage, double fraction) {
@@ -298,19 +249,15 @@ static int32_t stop_in_search(void* user, int32_t stage, double fraction) {
 }
 
 /* The longest loop before the fit. A decomposition has one stage for all. */
-static void the_search_for_the_period_can_be_cancelled(void** state) {
-    (void)state;
+TEST(the_search_for_the_period_can_be_cancelled) {
     stltsa_clip* clip = opened();
     const stltsa_clip* const clips[] = {clip};
     stltsa_options* options = with_progress(stop_in_search, NULL);
     stltsa_model* model = NULL;
     assert_int_equal(stltsa_fit_clips(clips, 1, options, &model), STLTSA_E_CANCELLED);
-    stltsa_options_free(options);
-    stltsa_clip_free(clip);
 }
 
-static void wrong_arguments(void** state) {
-    (void)state;
+TEST(wrong_arguments) {
     stltsa_clip* clip = opened();
     stltsa_decomposition* d = decomposed(clip, NULL);
     stltsa_decomposition* none = d;
@@ -318,33 +265,25 @@ static void wrong_arguments(void** state) {
     assert_null(none);
     assert_int_equal(stltsa_decompose(clip, NULL, NULL), STLTSA_E_ARGUMENT);
     stltsa_decomposition_free(NULL);
-    stltsa_decomposition_free(d);
-    stltsa_clip_free(clip);
 }
 
 /* Options that leave nothing to decompose: the text says which. */
-static void options_that_leave_nothing(void** state) {
-    (void)state;
+TEST(options_that_leave_nothing) {
     stltsa_clip* clip = opened();
     stltsa_decomposition* d = NULL;
     stltsa_options* options = with(STLTSA_OPT_PERIOD_MIN, 3);
     must(stltsa_options_set_real(options, STLTSA_OPT_PERIOD_MAX, 1));
     must_fail(stltsa_decompose(clip, options, &d), STLTSA_E_ARGUMENT, "period_min is 3 s");
-    stltsa_options_free(options);
-    stltsa_clip_free(clip);
 
     must(stltsa_options_new(&options));
     must(stltsa_options_set_real(options, STLTSA_OPT_FPS, 100000));
     must(stltsa_clip_open(walker_path, options, &clip));
     must_fail(stltsa_decompose(clip, NULL, &d), STLTSA_E_TOO_FEW_FRAMES,
               "at 100000 a second one in 844 is kept");
-    stltsa_options_free(options);
-    stltsa_clip_free(clip);
 }
 
 /* At a low frame rate a rest may be shorter than a frame. */
-static void no_unit_is_empty(void** state) {
-    (void)state;
+TEST(no_unit_is_empty) {
     enum { rows = 60 };
     uint64_t random = 1;
     for (int round = 0; round < 50; ++round) {
@@ -365,8 +304,6 @@ static void no_unit_is_empty(void** state) {
             }
         }
         assert_int_equal(unit_at(d, units - 1).end, rows);
-        stltsa_decomposition_free(d);
-        stltsa_clip_free(clip);
     }
 }
 

@@ -18,11 +18,10 @@ static stltsa_denoising* denoised(const double* y, const stltsa_options* options
     const stltsa_in in = packed_in(y, rows, cols);
     stltsa_denoising* denoising = NULL;
     must(stltsa_denoise(&in, NULL, options, &denoising));
-    return denoising;
+    return keep_denoising(denoising);
 }
 
-static void cleaned_is_points_and_moves(void** state) {
-    (void)state;
+TEST(cleaned_is_points_and_moves) {
     double* y = new_noisy();
     stltsa_denoising* d = denoised(y, NULL);
     assert_int_equal(int_of(d, STLTSA_INFO_ROWS), rows);
@@ -43,16 +42,10 @@ static void cleaned_is_points_and_moves(void** state) {
         }
         assert_int_equal(column.moved, moved);
     }
-    free(curve);
-    free(cleaned);
-    free(moves);
-    free(y);
-    stltsa_denoising_free(d);
 }
 
 /* Twice the points and noise give twice the curve, to the bit. */
-static void scale_and_repetition_change_no_bit(void** state) {
-    (void)state;
+TEST(scale_and_repetition_change_no_bit) {
     double* y = new_noisy();
     stltsa_denoising* one = denoised(y, NULL);
     stltsa_denoising* again = denoised(y, NULL);
@@ -66,17 +59,9 @@ static void scale_and_repetition_change_no_bit(void** state) {
     stltsa_denoising* large = denoised(y, NULL);
     double* twice = array_of(large, STLTSA_INFO_CURVE);
     assert_same_bits(curve, twice, rows * cols);
-    free(curve);
-    free(same);
-    free(twice);
-    free(y);
-    stltsa_denoising_free(one);
-    stltsa_denoising_free(again);
-    stltsa_denoising_free(large);
 }
 
-static void options_are_used(void** state) {
-    (void)state;
+TEST(options_are_used) {
     double* y = new_noisy();
     stltsa_options* options = with(STLTSA_OPT_GAMMA, 1e9);
     stltsa_denoising* d = denoised(y, options);
@@ -84,26 +69,19 @@ static void options_are_used(void** state) {
     assert_int_equal(column_at(d, 0).moved, 0);
     double* cleaned = array_of(d, STLTSA_INFO_CLEANED);
     assert_same_bits(cleaned, y, rows * cols);
-    free(cleaned);
-    stltsa_denoising_free(d);
 
     /* Knots 2 s apart at 30 rows per second cannot follow a cycle of 1.1 s. */
     must(stltsa_options_set_real(options, STLTSA_OPT_FPS, 30));
     must(stltsa_options_set_real(options, STLTSA_OPT_KNOT_SPACING, 2));
     d = denoised(y, options);
     assert_true(column_at(d, 0).degrees_of_freedom < 6);
-    stltsa_denoising_free(d);
 
     must(stltsa_options_unset(options, STLTSA_OPT_KNOT_SPACING));
     d = denoised(y, options);
     assert_below(fabs(real_of(d, STLTSA_INFO_PERIOD) - 1.1), 0.05, "period");
-    stltsa_denoising_free(d);
-    stltsa_options_free(options);
-    free(y);
 }
 
-static void spikes_are_refused_by_default(void** state) {
-    (void)state;
+TEST(spikes_are_refused_by_default) {
     double* y = new_noisy();
     double* spiked = copy_of(y, rows * cols);
     for (int64_t i = 20; i < rows; i += 30)
@@ -116,20 +94,12 @@ static void spikes_are_refused_by_default(void** state) {
         double* expected = array_of(clean, STLTSA_INFO_CURVE);
         double* curve = array_of(d, STLTSA_INFO_CURVE);
         off[robust] = largest_difference(expected, curve, rows * cols);
-        free(expected);
-        free(curve);
-        stltsa_denoising_free(clean);
-        stltsa_denoising_free(d);
     }
     assert_true(off[0] > 1);
     assert_true(off[1] < 0.2);
-    stltsa_options_free(plain);
-    free(spiked);
-    free(y);
 }
 
-static void clips_are_apart(void** state) {
-    (void)state;
+TEST(clips_are_apart) {
     double* y = new_noisy();
     for (int64_t i = 100 * cols; i < rows * cols; ++i)
         y[i] += 1000;
@@ -140,14 +110,11 @@ static void clips_are_apart(void** state) {
     must(stltsa_denoise(&in, &clips, NULL, &d));
     double* curve = array_of(d, STLTSA_INFO_CURVE);
     assert_below(largest_difference(y, curve, rows * cols), 1, "distance from the curve");
-    free(curve);
-    free(y);
     stltsa_denoising_free(d);
 }
 
 /* A model: its coordinates, with a piece for each component. */
-static void models_are_cleaned_piece_by_piece(void** state) {
-    (void)state;
+TEST(models_are_cleaned_piece_by_piece) {
     const int64_t n = 120;
     double* x = new_motion(n, 5, 3);
     for (int64_t i = 70 * 5; i < n * 5; ++i)
@@ -164,13 +131,7 @@ static void models_are_cleaned_piece_by_piece(void** state) {
     double* moves = array_of(d, STLTSA_INFO_MOVES);
     for (int64_t i = 0; i < n; ++i)
         assert_below(fabs(coords[i] + moves[i] - cleaned[i]), 1e-15, "coords + moves - cleaned");
-    free(coords);
-    free(cleaned);
-    free(moves);
-    free(x);
     stltsa_denoising_free(d);
-    stltsa_model_free(model);
-    stltsa_options_free(options);
 }
 
 static int32_t cancel(void* user, int32_t stage, double fraction) {
@@ -184,15 +145,12 @@ static int32_t count_starts(void* user, int32_t stage, double fraction) {
 }
 
 /* For the period, and for the first coordinate. */
-static void the_search_for_the_period_calls_back(void** state) {
-    (void)state;
+TEST(the_search_for_the_period_calls_back) {
     double* y = new_noisy();
     int starts = 0;
     stltsa_options* options = with_progress(count_starts, &starts);
-    stltsa_denoising_free(denoised(y, options));
+    denoised(y, options);
     assert_in_range(starts, 2, 100000);
-    stltsa_options_free(options);
-    free(y);
 }
 
 static void refuses(stltsa_status status, const stltsa_in* in, const stltsa_in* lengths,
@@ -203,8 +161,7 @@ static void refuses(stltsa_status status, const stltsa_in* in, const stltsa_in* 
     assert_true(strlen(stltsa_last_error()) > 0);
 }
 
-static void errors(void** state) {
-    (void)state;
+TEST(errors) {
     double* y = new_noisy();
     stltsa_in in = packed_in(y, rows, cols);
     const int64_t short_clip[] = {rows - 7, 7};
@@ -223,20 +180,17 @@ static void errors(void** state) {
     assert_int_equal(stltsa_options_set_real(options, STLTSA_OPT_GAMMA, -1), STLTSA_E_ARGUMENT);
     must(stltsa_options_set_progress(options, cancel, NULL));
     refuses(STLTSA_E_CANCELLED, &in, NULL, options);
-    stltsa_options_free(options);
 
     stltsa_denoising* d = denoised(y, NULL);
     stltsa_denoising* none = d;
     assert_int_equal(stltsa_denoise_model(NULL, NULL, &none), STLTSA_E_ARGUMENT);
     assert_null(none);
     stltsa_denoising_free(NULL);
-    stltsa_denoising_free(d);
 
     y[17] = NAN;
     refuses(STLTSA_E_NOT_FINITE, &in, NULL, NULL);
     assert_non_null(strstr(stltsa_last_error(), "coords: row"));
     assert_non_null(strstr(stltsa_last_error(), "8")); /* the row */
-    free(y);
 }
 
 int main(void) {

@@ -8,8 +8,7 @@ static stltsa_options* intrinsic(int64_t k, int64_t w, int64_t d) {
     return options;
 }
 
-static void dimension_of_the_walk(void** state) {
-    (void)state;
+TEST(dimension_of_the_walk) {
     stltsa_clip* clip = opened();
     stltsa_options* options = with_int(STLTSA_OPT_INTRINSIC, 1);
     stltsa_model* model = fitted_clip(clip, options);
@@ -29,14 +28,10 @@ static void dimension_of_the_walk(void** state) {
         assert_true(get_real(info, STLTSA_INFO_LOCAL_VARIANCE, i) >
                     get_real(info, STLTSA_INFO_LOCAL_VARIANCE, i + 1));
     assert_true(get_real(info, STLTSA_INFO_LOCAL_VARIANCE, 0) < 1);
-    stltsa_model_free(model);
-    stltsa_options_free(options);
-    stltsa_clip_free(clip);
 }
 
 /* It costs time, so it is not estimated unless it is asked for; the coordinates are the same. */
-static void dimension_is_estimated_if_asked_for(void** state) {
-    (void)state;
+TEST(dimension_is_estimated_if_asked_for) {
     enum { rows = 200, cols = 5 };
     double* x = new_motion(rows, cols, 3);
     stltsa_options *options = intrinsic(12, 12, 2), *plain = new_options(12, 12, 2);
@@ -51,17 +46,9 @@ static void dimension_is_estimated_if_asked_for(void** state) {
         assert_int_equal(count_of(without, keys[i]), 0);
     double *a = array_of(with_it, STLTSA_INFO_COORDS), *b = array_of(without, STLTSA_INFO_COORDS);
     assert_same_bits(a, b, rows * 2);
-    free(a);
-    free(b);
-    stltsa_model_free(with_it);
-    stltsa_model_free(without);
-    stltsa_options_free(options);
-    stltsa_options_free(plain);
-    free(x);
 }
 
-static void dimension_of_a_cut_clip_cannot_be_told(void** state) {
-    (void)state;
+TEST(dimension_of_a_cut_clip_cannot_be_told) {
     enum { rows = 200, cols = 5 };
     double* x = new_motion(rows, cols, 3);
     for (int i = rows / 2 * cols; i < rows * cols; ++i)
@@ -70,13 +57,9 @@ static void dimension_of_a_cut_clip_cannot_be_told(void** state) {
     stltsa_model* model = fitted_rows(x, rows, cols, options);
     assert_int_equal(int_of(model, STLTSA_INFO_EIGENGAP), 0);
     assert_non_null(strstr(text_of(model, STLTSA_INFO_EIGENGAP_REASON), "2 parts"));
-    stltsa_model_free(model);
-    stltsa_options_free(options);
-    free(x);
 }
 
-static void dimension_of_a_helix_is_two(void** state) {
-    (void)state;
+TEST(dimension_of_a_helix_is_two) {
     /* Half a turn within a neighborhood: bent in one plane, and small along the axis. */
     enum { rows = 300, cols = 3 };
     double* x = new_matrix(rows, cols);
@@ -88,9 +71,6 @@ static void dimension_of_a_helix_is_two(void** state) {
     stltsa_options* options = intrinsic(12, 12, 2);
     stltsa_model* model = fitted_rows(x, rows, cols, options);
     assert_int_equal(int_of(model, STLTSA_INFO_LOCAL_PCA), 2);
-    stltsa_model_free(model);
-    stltsa_options_free(options);
-    free(x);
 }
 
 int main(int argc, char** argv) {

@@ -10,10 +10,14 @@
 #include <stdint.h>
 
 #include <cmocka.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "stltsa.h"
+
+/* A test that needs no fixture. */
+#define TEST(name) static void name(void** state __attribute__((unused)))
 
 static inline void must(stltsa_status status) {
     if (status != STLTSA_OK)
@@ -28,11 +32,61 @@ static inline void must_fail(stltsa_status status, stltsa_status expected, const
                  stltsa_status_name(expected), words, stltsa_last_error());
 }
 
-/* A rows x cols matrix of doubles, packed rows; release it with free(). */
+/* What the functions below make is freed when the program ends, so no test need free it. */
+typedef void release_fn(void* made);
+
+struct kept {
+    struct kept* before;
+    void* made;
+    release_fn* release;
+};
+static _Atomic(struct kept*) all_kept; /* any thread may keep something */
+
+static inline void release_all(void) {
+    while (all_kept != NULL) {
+        struct kept* last = all_kept;
+        all_kept = last->before;
+        last->release(last->made);
+        free(last);
+    }
+}
+
+static inline void* keep(void* made, release_fn* release) {
+    struct kept* now = malloc(sizeof *now);
+    assert_non_null(now);
+    *now = (struct kept){all_kept, made, release};
+    while (!atomic_compare_exchange_weak(&all_kept, &now->before, now))
+        ;
+    if (now->before == NULL)
+        assert_int_equal(atexit(release_all), 0);
+    return made;
+}
+
+/* keep_clip(clip) and so on. */
+#define KEEPER(kind)                                                                               \
+    static inline void release_##kind(void* made) {                                                \
+        stltsa_##kind##_free(made);                                                                \
+    }                                                                                              \
+    static inline stltsa_##kind* keep_##kind(stltsa_##kind* made) {                                \
+        return keep(made, release_##kind);                                                         \
+    }
+KEEPER(options)
+KEEPER(clip)
+KEEPER(model)
+KEEPER(decomposition)
+KEEPER(phase)
+KEEPER(synthesis)
+KEEPER(cycles)
+KEEPER(events)
+KEEPER(comparison)
+KEEPER(denoising)
+KEEPER(live)
+
+/* A rows x cols matrix of doubles, packed rows. */
 static inline double* new_matrix(int64_t rows, int64_t cols) {
     double* values = calloc((size_t)(rows * cols), sizeof *values);
     assert_non_null(values);
-    return values;
+    return keep(values, free);
 }
 
 static inline stltsa_in packed_in(const double* x, int64_t rows, int64_t cols) {
@@ -96,7 +150,7 @@ static inline int64_t* get_whole(const stltsa_info* info, int32_t key) {
     int64_t rows = 0, cols = 0;
     must(stltsa_info_shape(info, key, &rows, &cols));
     assert_int_equal(cols, 1);
-    int64_t* values = calloc((size_t)rows, sizeof *values);
+    int64_t* values = keep(calloc((size_t)rows, sizeof *values), free);
     const stltsa_out out = list_out(values, rows);
     must(stltsa_info_array(info, key, 0, &out));
     return values;
@@ -105,7 +159,7 @@ static inline int64_t* get_whole(const stltsa_info* info, int32_t key) {
 static inline char* get_json(const stltsa_info* info) {
     char* json = NULL;
     must(stltsa_info_json(info, &json));
-    return json;
+    return keep(json, stltsa_free);
 }
 
 static inline stltsa_warning get_warning(const stltsa_info* info, int64_t index) {
@@ -166,7 +220,7 @@ static inline stltsa_compared compared_of(const stltsa_comparison* of) {
 static inline stltsa_options* empty_options(void) {
     stltsa_options* options = NULL;
     must(stltsa_options_new(&options));
-    return options;
+    return keep_options(options);
 }
 
 static inline stltsa_options* with_int(int32_t key, int64_t value) {
@@ -207,7 +261,6 @@ static inline int32_t cancelled_calls(stltsa_status (*call)(void* user, const st
         if (status == STLTSA_E_CANCELLED && cancelled < 1000)
             continue;
         must(status);
-        stltsa_options_free(options);
         return cancelled;
     }
 }
@@ -218,35 +271,36 @@ static const char* walker_path;
 static inline stltsa_clip* opened(void) {
     stltsa_clip* clip = NULL;
     must(stltsa_clip_open(walker_path, NULL, &clip));
-    return clip;
+    return keep_clip(clip);
 }
 
 static inline stltsa_clip* matrix_clip(const double* x, int64_t rows, int64_t cols, double fps) {
     const stltsa_in in = packed_in(x, rows, cols);
     stltsa_clip* clip = NULL;
     must(stltsa_clip_from_matrix(&in, fps, &clip));
-    return clip;
+    return keep_clip(clip);
 }
 
 static inline stltsa_decomposition* decomposed(const stltsa_clip* clip,
                                                const stltsa_options* options) {
     stltsa_decomposition* found = NULL;
     must(stltsa_decompose(clip, options, &found));
-    return found;
+    return keep_decomposition(found);
 }
 
 static inline stltsa_phase* phase_of(const stltsa_clip* clip, const stltsa_options* options) {
-    stltsa_decomposition* found = decomposed(clip, options);
+    stltsa_decomposition* found = NULL;
     stltsa_phase* phase = NULL;
+    must(stltsa_decompose(clip, options, &found));
     must(stltsa_phase_find(found, options, &phase));
     stltsa_decomposition_free(found);
-    return phase;
+    return keep_phase(phase);
 }
 
 static inline stltsa_model* fitted_clip(const stltsa_clip* clip, const stltsa_options* options) {
     stltsa_model* model = NULL;
     must(stltsa_fit_clips(&clip, 1, options, &model));
-    return model;
+    return keep_model(model);
 }
 
 static inline stltsa_model* fitted_rows(const double* x, int64_t rows, int64_t cols,
@@ -254,7 +308,7 @@ static inline stltsa_model* fitted_rows(const double* x, int64_t rows, int64_t c
     const stltsa_in in = packed_in(x, rows, cols);
     stltsa_model* model = NULL;
     must(stltsa_fit(&in, NULL, options, &model));
-    return model;
+    return keep_model(model);
 }
 
 /* A clip with what is found in it. */
@@ -267,13 +321,8 @@ struct walk {
 static inline struct walk walk_of(stltsa_clip* clip) {
     struct walk w = {clip, decomposed(clip, NULL), NULL};
     must(stltsa_phase_find(w.found, NULL, &w.phase));
+    keep_phase(w.phase);
     return w;
-}
-
-static inline void closed(struct walk w) {
-    stltsa_phase_free(w.phase);
-    stltsa_decomposition_free(w.found);
-    stltsa_clip_free(w.clip);
 }
 
 /* Features of every frame; the file's own numbers. */
@@ -290,7 +339,6 @@ static inline double* new_channels(const stltsa_clip* clip) {
     stltsa_options* raw = with_int(STLTSA_OPT_FEATURES, STLTSA_FEATURES_RAW);
     int64_t cols = 0;
     double* values = new_features(clip, raw, &cols);
-    stltsa_options_free(raw);
     return values;
 }
 

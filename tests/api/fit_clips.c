@@ -54,13 +54,9 @@ static void each_clip_has_the_coordinates_that_it_has_alone(void** state) {
         for (int64_t i = 0; i < rows * d; ++i)
             assert_below(fabs(coords[row * d + i] - own[i]), 1e-8, "difference of a coordinate");
         row += rows;
-        free(own);
-        stltsa_model_free(alone);
     }
     assert_int_equal(int_of(both, STLTSA_INFO_ROWS), row);
-    free(coords);
     stltsa_model_free(both);
-    stltsa_options_free(options);
 }
 
 /* To the bit, after a way through bytes. */
@@ -85,13 +81,10 @@ static void each_clip_is_mapped_to_its_own_rows(void** state) {
         must(stltsa_map_clip(both, two->clips[c], NULL, &out, NULL, NULL));
         for (int64_t i = 0; i < get_int(stltsa_model_info(both), STLTSA_INFO_LENGTH, c); ++i, ++row)
             assert_same_bits(mapped + d * (first + i * step), coords + d * row, d);
-        free(mapped);
     }
-    free(coords);
     stltsa_free(bytes);
     stltsa_model_free(both);
     stltsa_model_free(fitted);
-    stltsa_options_free(options);
 }
 
 /* Its own coordinates give back the second clip's poses: its feet as far from its hips. */
@@ -122,12 +115,8 @@ static void poses_of_the_second_clip_come_back(void** state) {
         for (int64_t f = 0; f < count; ++f)
             assert_below(fabs(found[i * count + f] - wanted[(first + i * step) * count + f]), 1e-6,
                          "difference of a position");
-    free(found);
-    free(wanted);
-    free(coords);
     stltsa_clip_free(poses);
     stltsa_model_free(both);
-    stltsa_options_free(options);
 }
 
 static stltsa_clip* numbers(int64_t cols, double fps) {
@@ -135,7 +124,6 @@ static stltsa_clip* numbers(int64_t cols, double fps) {
     for (int64_t i = 0; i < 200 * cols; ++i)
         x[i] = sin(0.1 * (double)(i / cols) + (double)(i % cols));
     stltsa_clip* clip = matrix_clip(x, 200, cols, fps);
-    free(x);
     return clip;
 }
 
@@ -163,10 +151,6 @@ static void clips_that_do_not_go_together_are_refused(void** state) {
     const stltsa_clip* alike[2] = {three, nearly};
     must(stltsa_fit_clips(alike, 2, NULL, &model));
     stltsa_model_free(model);
-    stltsa_clip_free(nearly);
-    stltsa_clip_free(faster);
-    stltsa_clip_free(four);
-    stltsa_clip_free(three);
 }
 
 static void a_body_of_another_hierarchy_is_refused(void** state) {
@@ -191,10 +175,8 @@ static void the_dimension_of_two_clips_is_that_of_the_body(void** state) {
     for (int64_t c = 0; c < 2; ++c) {
         stltsa_model* alone = fitted_clip(two->clips[c], options);
         assert_int_equal(int_of(both, STLTSA_INFO_LOCAL_PCA), int_of(alone, STLTSA_INFO_LOCAL_PCA));
-        stltsa_model_free(alone);
     }
     stltsa_model_free(both);
-    stltsa_options_free(options);
 }
 
 int main(int argc, char** argv) {

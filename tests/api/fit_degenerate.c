@@ -16,13 +16,7 @@ static struct fit fit_rows(const double* x, int64_t count) {
     stltsa_options* options = new_options(k, w, d);
     f.model = fitted_rows(x, count, cols, options);
     f.coords = array_of(f.model, STLTSA_INFO_COORDS);
-    stltsa_options_free(options);
     return f;
-}
-
-static void free_fit(struct fit f) {
-    stltsa_model_free(f.model);
-    free(f.coords);
 }
 
 /* Frame i of x, times[i] times. */
@@ -51,14 +45,9 @@ static void assert_holds_collapse(const int64_t* times) {
     for (int i = 0; i < rows; ++i)
         for (int64_t t = 0; t < times[i]; ++t)
             assert_same_bits(want.coords + i * d, got.coords + d * at++, d);
-    free_fit(got);
-    free_fit(want);
-    free(held);
-    free(x);
 }
 
-static void frames_held_three_times_collapse(void** state) {
-    (void)state;
+TEST(frames_held_three_times_collapse) {
     int64_t times[rows];
     for (int i = 0; i < rows; ++i)
         times[i] = 3;
@@ -66,8 +55,7 @@ static void frames_held_three_times_collapse(void** state) {
 }
 
 /* Longer than any window: at the start, inside, at the end. */
-static void holds_longer_than_the_window_collapse(void** state) {
-    (void)state;
+TEST(holds_longer_than_the_window_collapse) {
     int64_t times[rows];
     for (int i = 0; i < rows; ++i)
         times[i] = i == 0 || i == 90 || i == rows - 1 ? 3 * w : 1;
@@ -75,8 +63,7 @@ static void holds_longer_than_the_window_collapse(void** state) {
 }
 
 /* The same pose twice, but not in succession, is two frames. */
-static void a_pose_that_comes_back_is_not_a_repeat(void** state) {
-    (void)state;
+TEST(a_pose_that_comes_back_is_not_a_repeat) {
     double* x = new_motion(rows, cols, 62);
     memcpy(x + 103 * cols, x + 100 * cols, cols * sizeof *x);
     const struct fit f = fit_rows(x, rows);
@@ -84,13 +71,10 @@ static void a_pose_that_comes_back_is_not_a_repeat(void** state) {
     assert_int_equal(count_of(f.model, STLTSA_INFO_COMPONENT), 1);
     for (int i = 0; i < rows * d; ++i)
         assert_true(isfinite(f.coords[i]));
-    free_fit(f);
-    free(x);
 }
 
 /* A jump that no neighborhood spans: each side is embedded separately. */
-static void a_hard_cut_gives_two_components(void** state) {
-    (void)state;
+TEST(a_hard_cut_gives_two_components) {
     enum { cut = 80 };
     double* x = new_motion(rows, cols, 63);
     for (int i = cut; i < rows; ++i)
@@ -101,7 +85,6 @@ static void a_hard_cut_gives_two_components(void** state) {
     int64_t* labels = whole_of(f.model, STLTSA_INFO_COMPONENT_OF);
     for (int i = 0; i < rows; ++i)
         assert_int_equal(labels[i], i >= cut);
-    free(labels);
     const struct fit before = fit_rows(x, cut);
     const struct fit after = fit_rows(x + cut * cols, rows - cut);
     assert_below(largest_difference(f.coords, before.coords, cut * d), 1e-10, "before the cut");
@@ -112,17 +95,10 @@ static void a_hard_cut_gives_two_components(void** state) {
            *alone = array_of(before.model, STLTSA_INFO_EIGENVALUES);
     for (int v = 1; v < d + 2; ++v)
         assert_below(fabs(values[v] / alone[v] - 1), 1e-9, "eigenvalue of the first component");
-    free(values);
-    free(alone);
-    free_fit(after);
-    free_fit(before);
-    free_fit(f);
-    free(x);
 }
 
 /* 60 frames on a straight line among frames that are not: their windows have one direction. */
-static void windows_on_a_line_are_counted(void** state) {
-    (void)state;
+TEST(windows_on_a_line_are_counted) {
     enum { begin = 70, end = 130 };
     double* x = new_motion(rows, cols, 64);
     for (int i = 0; i < rows; ++i)
@@ -147,8 +123,6 @@ static void windows_on_a_line_are_counted(void** state) {
                 product += f.coords[i * d + a] * f.coords[i * d + b];
             assert_below(fabs(product - (a == b)), 1e-12, "inner product of coordinates");
         }
-    free_fit(f);
-    free(x);
 }
 
 static void assert_refused(const double* x, int64_t count, stltsa_status status) {
@@ -158,30 +132,24 @@ static void assert_refused(const double* x, int64_t count, stltsa_status status)
     assert_int_equal(stltsa_fit(&in, NULL, options, &model), status);
     assert_null(model);
     assert_true(strlen(stltsa_last_error()) > 20);
-    stltsa_options_free(options);
 }
 
-static void a_line_has_no_second_coordinate(void** state) {
-    (void)state;
+TEST(a_line_has_no_second_coordinate) {
     double* x = new_matrix(rows, cols);
     for (int i = 0; i < rows; ++i)
         for (int c = 0; c < cols; ++c)
             x[i * cols + c] = i * (c + 1);
     assert_refused(x, rows, STLTSA_E_DEGENERATE);
-    free(x);
 }
 
-static void a_statue_varies_in_no_direction(void** state) {
-    (void)state;
+TEST(a_statue_varies_in_no_direction) {
     double* x = new_matrix(rows, cols);
     assert_refused(x, rows, STLTSA_E_DEGENERATE);
     assert_refused(x, 1, STLTSA_E_TOO_FEW_FRAMES);
-    free(x);
 }
 
 /* Directions next to one that is ten thousand times as large have fewer correct digits. */
-static void features_of_uneven_size_are_to_be_scaled(void** state) {
-    (void)state;
+TEST(features_of_uneven_size_are_to_be_scaled) {
     double* x = new_motion(rows, cols, 66);
     const struct fit even = fit_rows(x, rows);
     assert_int_equal(warnings_of(even.model, "scale them"), 0);
@@ -191,24 +159,18 @@ static void features_of_uneven_size_are_to_be_scaled(void** state) {
     const struct fit uneven = fit_rows(x, rows);
     assert_int_equal(warnings_of(uneven.model, "scale them"), 1);
     assert_true(component_at(uneven.model, 0).error_estimate_rad > 1e-9);
-    free_fit(uneven);
-    free_fit(even);
-    free(x);
 }
 
 /* k + 1 distinct frames are enough, k are not, with or without held frames. */
-static void as_many_distinct_frames_as_it_takes(void** state) {
-    (void)state;
+TEST(as_many_distinct_frames_as_it_takes) {
     double* x = new_motion(rows, cols, 65);
     const struct fit f = fit_rows(x, k + 1);
     for (int i = 0; i < (k + 1) * d; ++i)
         assert_true(isfinite(f.coords[i]));
-    free_fit(f);
     assert_refused(x, k, STLTSA_E_TOO_FEW_FRAMES);
     for (int i = k; i < rows; ++i)
         memcpy(x + i * cols, x + (k - 1) * cols, cols * sizeof *x);
     assert_refused(x, rows, STLTSA_E_TOO_FEW_FRAMES);
-    free(x);
 }
 
 int main(void) {

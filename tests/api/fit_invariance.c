@@ -11,8 +11,7 @@
 
 enum { rows = 600, cols = 12, d = 2 };
 
-static void rotation_and_shift_change_nothing(void** state) {
-    (void)state;
+TEST(rotation_and_shift_change_nothing) {
     double* x = new_motion(rows, cols, 21);
     double* rotation = new_directions(cols, cols, 22);
     double* moved = new_product(x, rotation, rows, cols, cols);
@@ -21,11 +20,6 @@ static void rotation_and_shift_change_nothing(void** state) {
     double* want = fit_coords(x, rows, cols, d);
     double* got = fit_coords(moved, rows, cols, d);
     assert_below(largest_difference(want, got, rows * d), 1e-9, "change by rotation and shift");
-    free(got);
-    free(want);
-    free(moved);
-    free(rotation);
-    free(x);
 }
 
 static stltsa_options* options_of_mode(int32_t mode) {
@@ -43,23 +37,17 @@ static void check_tiny_numbers(int32_t mode, const double* x) {
             tiny[i] = ldexp(tiny[i], -power);
         double* got = fit_coords_with(options_of_mode(mode), tiny, rows, cols);
         assert_below(largest_difference(want, got, rows * d), 1e-9, "change by scale");
-        free(got);
-        free(tiny);
     }
-    free(want);
 }
 
-static void tiny_numbers_are_as_good_as_others(void** state) {
-    (void)state;
+TEST(tiny_numbers_are_as_good_as_others) {
     double* x = new_motion(rows, cols, 24);
     check_tiny_numbers(STLTSA_MODE_TEMPORAL, x);
     check_tiny_numbers(STLTSA_MODE_SPATIAL, x);
     check_tiny_numbers(STLTSA_MODE_RECURRENT, x);
-    free(x);
 }
 
-static void scale_changes_nothing(void** state) {
-    (void)state;
+TEST(scale_changes_nothing) {
     double* x = new_motion(rows, cols, 23);
     double* want = fit_coords(x, rows, cols, d);
     static const double scales[] = {0x1p10, -0.5, 1e6, 1e-9};
@@ -71,15 +59,10 @@ static void scale_changes_nothing(void** state) {
         assert_below(largest_difference(want, got, rows * d), 1e-9, "change by scale");
         if (s < 2) /* scaling by a power of two is exact */
             assert_same_bits(want, got, rows * d);
-        free(got);
-        free(scaled);
     }
-    free(want);
-    free(x);
 }
 
-static void shift_that_rounds_nothing_changes_no_bit(void** state) {
-    (void)state;
+TEST(shift_that_rounds_nothing_changes_no_bit) {
     double* x = new_motion(rows, cols, 24);
     for (int i = 0; i < rows * cols; ++i)
         x[i] = round(x[i] * 0x1p20) * 0x1p-20;
@@ -88,13 +71,9 @@ static void shift_that_rounds_nothing_changes_no_bit(void** state) {
         x[i] += 1024;
     double* got = fit_coords(x, rows, cols, d);
     assert_same_bits(want, got, rows * d);
-    free(got);
-    free(want);
-    free(x);
 }
 
-static void order_of_channels_does_not_matter(void** state) {
-    (void)state;
+TEST(order_of_channels_does_not_matter) {
     double* x = new_motion(rows, cols, 25);
     double* shuffled = new_matrix(rows, cols);
     for (int i = 0; i < rows; ++i)
@@ -103,15 +82,10 @@ static void order_of_channels_does_not_matter(void** state) {
     double* want = fit_coords(x, rows, cols, d);
     double* got = fit_coords(shuffled, rows, cols, d);
     assert_below(largest_difference(want, got, rows * d), 1e-9, "change by order of channels");
-    free(got);
-    free(want);
-    free(shuffled);
-    free(x);
 }
 
 /* Except at the boundary: reversed time gives the reversed curve. */
-static void time_backwards_reverses_the_curve(void** state) {
-    (void)state;
+TEST(time_backwards_reverses_the_curve) {
     double* x = new_motion(rows, cols, 26);
     double* backwards = new_matrix(rows, cols);
     for (int i = 0; i < rows; ++i)
@@ -121,10 +95,6 @@ static void time_backwards_reverses_the_curve(void** state) {
     for (int i = 0; i < rows; ++i)
         assert_below(largest_difference(want + i * d, got + (rows - 1 - i) * d, d), 1e-9,
                      "change by reversing time");
-    free(got);
-    free(want);
-    free(backwards);
-    free(x);
 }
 
 static double* fit_with_threads(const double* x, int64_t threads) {
@@ -134,17 +104,13 @@ static double* fit_with_threads(const double* x, int64_t threads) {
     return fit_coords_with(options, x, rows, cols);
 }
 
-static void number_of_threads_changes_no_bit(void** state) {
-    (void)state;
+TEST(number_of_threads_changes_no_bit) {
     double* x = new_motion(rows, cols, 27);
     double* want = fit_with_threads(x, 1);
     for (int64_t threads = 0; threads <= 4; ++threads) {
         double* got = fit_with_threads(x, threads);
         assert_same_bits(want, got, rows * d);
-        free(got);
     }
-    free(want);
-    free(x);
 }
 
 /* The kernel may list a thread for a moment after it was joined. */
@@ -156,8 +122,7 @@ static void assert_no_more_threads_than(int count) {
 }
 
 /* Includes threads of the libraries below: a forked process would wait for them. */
-static void threads_end_with_the_call(void** state) {
-    (void)state;
+TEST(threads_end_with_the_call) {
     const int before = count_threads(); /* includes OpenBLAS's own, which it ends at a fork */
     double* x = new_motion(rows, cols, 28);
     const stltsa_in in = packed_in(x, rows, cols);
@@ -174,7 +139,6 @@ static void threads_end_with_the_call(void** state) {
         assert_int_equal(waitpid(child, &ended, 0), child);
         assert_int_equal(ended, 0);
     }
-    free(x);
 }
 
 static int fit_in_a_thread(void* argument) {
@@ -184,8 +148,7 @@ static int fit_in_a_thread(void* argument) {
 }
 
 /* ARPACK keeps state between calls: simultaneous fits must not share it. */
-static void fits_at_the_same_time_change_no_bit(void** state) {
-    (void)state;
+TEST(fits_at_the_same_time_change_no_bit) {
     enum { count = 6 };
     double* x[count];
     double* want[count];
@@ -206,12 +169,7 @@ static void fits_at_the_same_time_change_no_bit(void** state) {
         for (int f = 0; f < count; ++f) {
             assert_non_null(jobs[f][1]);
             assert_same_bits(want[f], jobs[f][1], rows * d);
-            free(jobs[f][1]);
         }
-    }
-    for (int f = 0; f < count; ++f) {
-        free(want[f]);
-        free(x[f]);
     }
 }
 
@@ -221,7 +179,6 @@ static double* fit_array(const stltsa_in* in) {
     must(stltsa_fit(in, NULL, options, &model));
     double* coords = array_of(model, STLTSA_INFO_COORDS);
     stltsa_model_free(model);
-    stltsa_options_free(options);
     return coords;
 }
 
@@ -237,12 +194,10 @@ static void assert_layout_changes_no_bit(const double* x, const double* want, in
     const stltsa_in in = {memory + origin, rows, cols, row, col, STLTSA_F64, 0};
     double* got = fit_array(&in);
     assert_same_bits(want, got, rows * d);
-    free(got);
     free(memory);
 }
 
-static void layout_in_memory_changes_no_bit(void** state) {
-    (void)state;
+TEST(layout_in_memory_changes_no_bit) {
     double* x = new_motion(rows, cols, 40);
     double* want = fit_coords(x, rows, cols, d);
     const int64_t all = rows * cols * 8;
@@ -253,12 +208,9 @@ static void layout_in_memory_changes_no_bit(void** state) {
     assert_layout_changes_no_bit(x, want, all, (rows - 1) * cols * 8, -cols * 8, 8);
     assert_layout_changes_no_bit(x, want, all, (cols - 1) * 8, cols * 8, -8);
     assert_layout_changes_no_bit(x, want, rows * (cols * 8 + 1) + 1, 1, cols * 8 + 1, 8);
-    free(want);
-    free(x);
 }
 
-static void float32_is_the_same_numbers(void** state) {
-    (void)state;
+TEST(float32_is_the_same_numbers) {
     double* x = new_motion(rows, cols, 41);
     double* exact = fit_coords(x, rows, cols, d);
     float* narrow = malloc(rows * cols * sizeof *narrow);
@@ -273,16 +225,11 @@ static void float32_is_the_same_numbers(void** state) {
     assert_same_bits(want, got, rows * d);
     assert_below(largest_difference(exact, got, rows * d), 1e-4, "change by rounding to float32");
     assert_true(largest_difference(exact, got, rows * d) > 0);
-    free(got);
-    free(want);
     free(narrow);
-    free(exact);
-    free(x);
 }
 
 /* Clips of 600, 250 and 300 frames in two orders: each has the same result as alone. */
-static void order_of_clips_only_permutes(void** state) {
-    (void)state;
+TEST(order_of_clips_only_permutes) {
     enum { clips = 3, total = 1150 };
     static const int64_t length[clips] = {600, 250, 300};
     static const int order[2][clips] = {{0, 1, 2}, {2, 0, 1}};
@@ -295,7 +242,6 @@ static void order_of_clips_only_permutes(void** state) {
             lengths[p] = length[order[o][p]];
             double* clip = new_motion(lengths[p], cols, 50 + (uint64_t)order[o][p]);
             memcpy(x + at * cols, clip, (size_t)(lengths[p] * cols) * sizeof *x);
-            free(clip);
             at += lengths[p];
         }
         const stltsa_in in = packed_in(x, total, cols);
@@ -309,26 +255,18 @@ static void order_of_clips_only_permutes(void** state) {
             double* alone = fit_coords(x + at * cols, lengths[p], cols, d);
             assert_below(largest_difference(alone, together + at * d, lengths[p] * d), 1e-10,
                          "clip among others against alone");
-            free(alone);
             at += lengths[p];
         }
-        free(together);
         stltsa_model_free(model);
-        free(x);
     }
-    stltsa_options_free(options);
 }
 
 /* Nor does it need memory for the gaps. */
-static void window_beyond_the_clip_is_the_clip(void** state) {
-    (void)state;
+TEST(window_beyond_the_clip_is_the_clip) {
     double* x = new_motion(rows, cols, 9);
     double* all = fit_coords_with(new_options(12, rows, 2), x, rows, cols);
     double* more = fit_coords_with(new_options(12, INT32_MAX, 2), x, rows, cols);
     assert_same_bits(all, more, rows * 2);
-    free(more);
-    free(all);
-    free(x);
 }
 
 int main(void) {

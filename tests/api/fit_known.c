@@ -17,17 +17,12 @@ static double* new_path(void) {
 
 /* A plane in 20 dimensions is its own tangent everywhere, so LTSA returns the path on it up to an
  * affine map, exact to rounding. */
-static void flat_sheet_is_recovered(void** state) {
-    (void)state;
+TEST(flat_sheet_is_recovered) {
     double* path = new_path();
     double* plane = new_directions(2, channels, 5);
     double* x = new_product(path, plane, frames, 2, channels);
     double* coords = fit_coords(x, frames, channels, 2);
     assert_below(affine_misfit(coords, 2, path, frames, 2), 1e-9, "misfit of the flat sheet");
-    free(coords);
-    free(x);
-    free(plane);
-    free(path);
 }
 
 static double* new_circle(double turns) {
@@ -41,22 +36,16 @@ static double* new_circle(double turns) {
 }
 
 /* A circle lies in a plane: two coordinates give the circle itself, over several turns. */
-static void circle_in_two_dimensions_is_itself(void** state) {
-    (void)state;
+TEST(circle_in_two_dimensions_is_itself) {
     double* circle = new_circle(10);
     double* plane = new_directions(2, channels, 6);
     double* x = new_product(circle, plane, frames, 2, channels);
     double* coords = fit_coords(x, frames, channels, 2);
     assert_below(affine_misfit(coords, 2, circle, frames, 2), 1e-9, "misfit of the circle");
-    free(coords);
-    free(x);
-    free(plane);
-    free(circle);
 }
 
 /* One coordinate measures length along the circle, and a warning says that it only follows time. */
-static void circle_in_one_dimension_is_arc_length(void** state) {
-    (void)state;
+TEST(circle_in_one_dimension_is_arc_length) {
     double* circle = new_circle(1);
     double* length = new_matrix(frames, 1);
     for (int64_t i = 0; i < frames; ++i)
@@ -67,17 +56,11 @@ static void circle_in_one_dimension_is_arc_length(void** state) {
     assert_below(affine_misfit(coords, 1, length, frames, 1), 1e-3, "misfit of the length");
     assert_below(1 - real_of(model, STLTSA_INFO_TIME_CORRELATION), 1e-12, "1 - correlation");
     assert_true(count_of(model, STLTSA_INFO_WARNING) >= 1);
-    free(coords);
-    stltsa_model_free(model);
-    stltsa_options_free(options);
-    free(length);
-    free(circle);
 }
 
 /* A sheet rolled up as a cylinder, again with a path in time order: two coordinates unroll it,
  * although every window has a different plane. */
-static void rolled_sheet_is_unrolled(void** state) {
-    (void)state;
+TEST(rolled_sheet_is_unrolled) {
     const double radius = 6;
     double* path = new_path();
     double* x = new_matrix(frames, 3);
@@ -91,9 +74,6 @@ static void rolled_sheet_is_unrolled(void** state) {
     const double as_it_lies = affine_misfit(coords, 2, x, frames, 3);
     assert_below(unrolled, 0.05, "misfit of the unrolled sheet");
     assert_true(as_it_lies > 0.3);
-    free(coords);
-    free(x);
-    free(path);
 }
 
 int main(void) {

@@ -15,7 +15,6 @@ static int set_up(void** state) {
     f->x = new_motion(rows, cols, 11);
     stltsa_options* options = new_options(12, 14, d);
     f->model = fitted_rows(f->x, rows, cols, options);
-    stltsa_options_free(options);
     f->coords = array_of(f->model, STLTSA_INFO_COORDS);
     *state = f;
     return 0;
@@ -23,9 +22,6 @@ static int set_up(void** state) {
 
 static int tear_down(void** state) {
     struct fixture* f = *state;
-    stltsa_model_free(f->model);
-    free(f->coords);
-    free(f->x);
     free(f);
     return 0;
 }
@@ -65,8 +61,6 @@ static void entry_of_largest_size_is_positive(void** state) {
         double* x = new_motion(many, cols, seed);
         double* coords = fit_coords(x, many, cols, d);
         assert_largest_are_positive(coords, many);
-        free(coords);
-        free(x);
     }
 }
 
@@ -78,7 +72,6 @@ static void eigenvalues_ascend_from_zero(void** state) {
         assert_true(values[v] > 0 && values[v] >= values[v - 1]);
     assert_below(fabs(component_at(f->model, 0).gap - values[d + 1] / values[d]), 1e-12,
                  "gap against eigenvalues");
-    free(values);
 }
 
 static void model_says_what_it_did(void** state) {
@@ -128,7 +121,6 @@ static void every_frame_has_its_component(void** state) {
     int64_t* labels = whole_of(f->model, STLTSA_INFO_COMPONENT_OF);
     for (int i = 0; i < rows; ++i)
         assert_int_equal(labels[i], 0);
-    free(labels);
 }
 
 int main(void) {

@@ -30,8 +30,7 @@ static double* new_swiss_roll(int64_t rows, double* sheet) {
     return x;
 }
 
-static void swiss_roll_is_unrolled(void** state) {
-    (void)state;
+TEST(swiss_roll_is_unrolled) {
     enum { rows = 1500 };
     double* sheet = new_matrix(rows, 2);
     double* x = new_swiss_roll(rows, sheet);
@@ -40,16 +39,10 @@ static void swiss_roll_is_unrolled(void** state) {
     assert_int_equal(count_of(model, STLTSA_INFO_COMPONENT), 1);
     double* coords = array_of(model, STLTSA_INFO_COORDS);
     assert_below(affine_misfit(coords, 2, sheet, rows, 2), 0.05, "misfit of the unrolled sheet");
-    free(coords);
-    stltsa_model_free(model);
-    stltsa_options_free(options);
-    free(x);
-    free(sheet);
 }
 
 /* Without time in the neighborhoods, the order of the frames does not matter. */
-static void order_of_frames_only_permutes(void** state) {
-    (void)state;
+TEST(order_of_frames_only_permutes) {
     enum { rows = 600, cols = 3, d = 2 };
     double* sheet = new_matrix(rows, 2);
     double* x = new_swiss_roll(rows, sheet);
@@ -64,18 +57,9 @@ static void order_of_frames_only_permutes(void** state) {
     for (int i = 0; i < rows; ++i)
         assert_below(largest_difference(want + i * d, got + (i * 7 + 5) % rows * d, d), 1e-9,
                      "change by order of frames");
-    free(got);
-    free(want);
-    stltsa_model_free(b);
-    stltsa_model_free(a);
-    stltsa_options_free(options);
-    free(shuffled);
-    free(x);
-    free(sheet);
 }
 
-static void number_of_threads_changes_no_bit(void** state) {
-    (void)state;
+TEST(number_of_threads_changes_no_bit) {
     enum { rows = 500, cols = 6, d = 2 };
     double* x = new_motion(rows, cols, 83);
     for (int64_t mode = STLTSA_MODE_SPATIAL; mode <= STLTSA_MODE_RECURRENT; ++mode) {
@@ -87,18 +71,11 @@ static void number_of_threads_changes_no_bit(void** state) {
         double* want = array_of(a, STLTSA_INFO_COORDS);
         double* got = array_of(b, STLTSA_INFO_COORDS);
         assert_same_bits(want, got, rows * d);
-        free(got);
-        free(want);
-        stltsa_model_free(b);
-        stltsa_model_free(a);
-        stltsa_options_free(options);
     }
-    free(x);
 }
 
 /* Five turns of a circle with a slow drift: links connect the turns, so that they coincide. */
-static void links_close_the_loop(void** state) {
-    (void)state;
+TEST(links_close_the_loop) {
     enum { rows = 500, period = 100, cols = 3, d = 2 };
     double* x = new_matrix(rows, cols);
     for (int i = 0; i < rows; ++i) {
@@ -117,15 +94,10 @@ static void links_close_the_loop(void** state) {
     for (int i = 0; i + period < rows; ++i)
         assert_below(largest_difference(coords + i * d, coords + (i + period) * d, d),
                      0.05 * largest, "distance from one turn to the next");
-    free(coords);
-    stltsa_model_free(model);
-    stltsa_options_free(options);
-    free(x);
 }
 
 /* The same motion as two clips: two components in time, one with links. */
-static void links_join_clips(void** state) {
-    (void)state;
+TEST(links_join_clips) {
     enum { rows = 400, half = 200, cols = 6, d = 2 };
     double* x = new_motion(rows, cols, 84);
     for (int i = 0; i < half * cols; ++i)
@@ -140,9 +112,7 @@ static void links_join_clips(void** state) {
         must(stltsa_fit(&in, &clips, options, &model));
         assert_int_equal(count_of(model, STLTSA_INFO_COMPONENT), linked ? 1 : 2);
         stltsa_model_free(model);
-        stltsa_options_free(options);
     }
-    free(x);
 }
 
 int main(void) {

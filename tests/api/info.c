@@ -26,15 +26,13 @@ static int make_handles(void** state) {
     clip = opened();
     stltsa_options* options = with_int(STLTSA_OPT_INTRINSIC, 1);
     model = fitted_clip(clip, options);
-    stltsa_options_free(options);
     found = decomposed(clip, NULL);
-    must(stltsa_phase_find(found, NULL, &phase));
+    phase = phase_of(clip, NULL);
     double* features = array_of(clip, STLTSA_INFO_POSITIONS);
     const double mark = 250;
     const stltsa_in signals = packed_in(features, stltsa_clip_frames(clip), 2),
                     marks = packed_in(&mark, 1, 1);
     must(stltsa_cycles_resample(phase, 0, &signals, 11, NULL, &cycles));
-    free(features);
     must(stltsa_events_find(phase, &marks, NULL, NULL, &events));
     must(stltsa_compare_left_right(clip, phase, -1, 21, NULL, &comparison));
     must(stltsa_model_keep_cycle(model, phase, NULL));
@@ -55,28 +53,18 @@ static int make_handles(void** state) {
         {info_of(synthesis), STLTSA_HANDLE_SYNTHESIS, "stltsa-synthesis/1"},
     };
     memcpy(handles, all, sizeof all);
-    return 0;
-}
-
-static int free_handles(void** state) {
-    (void)state;
-    stltsa_synthesis_free(synthesis);
-    stltsa_denoising_free(denoising);
-    stltsa_live_free(live);
-    stltsa_comparison_free(comparison);
-    stltsa_events_free(events);
-    stltsa_cycles_free(cycles);
-    stltsa_phase_free(phase);
-    stltsa_decomposition_free(found);
-    stltsa_model_free(model);
-    stltsa_clip_free(clip);
+    keep_cycles(cycles);
+    keep_events(events);
+    keep_comparison(comparison);
+    keep_live(live);
+    keep_denoising(denoising);
+    keep_synthesis(synthesis);
     return 0;
 }
 
 /* ---- Facts ---- */
 
-static void a_fact_is_read_by_its_key_and_type(void** state) {
-    (void)state;
+TEST(a_fact_is_read_by_its_key_and_type) {
     assert_int_equal(int_of(clip, STLTSA_INFO_CLIP_FRAMES), stltsa_clip_frames(clip));
     assert_true(real_of(clip, STLTSA_INFO_CLIP_FPS) == stltsa_clip_fps(clip));
     assert_string_equal(text_of(clip, STLTSA_INFO_PATH), walker_path);
@@ -86,8 +74,7 @@ static void a_fact_is_read_by_its_key_and_type(void** state) {
     assert_int_equal(stltsa_info_count(NULL, STLTSA_INFO_PATH), 0);
 }
 
-static void what_is_not_there_is_refused_with_a_text(void** state) {
-    (void)state;
+TEST(what_is_not_there_is_refused_with_a_text) {
     const stltsa_info* info = stltsa_clip_info(clip);
     int64_t value = 77;
     double real = 77;
@@ -107,8 +94,7 @@ static void what_is_not_there_is_refused_with_a_text(void** state) {
     assert_string_equal(text, "as before");
 }
 
-static void handles_that_are_null_have_no_info(void** state) {
-    (void)state;
+TEST(handles_that_are_null_have_no_info) {
     assert_null(stltsa_clip_info(NULL));
     assert_null(stltsa_model_info(NULL));
     assert_null(stltsa_phase_info(NULL));
@@ -123,8 +109,7 @@ static void handles_that_are_null_have_no_info(void** state) {
 
 /* ---- The table of keys ---- */
 
-static void keys_are_described(void** state) {
-    (void)state;
+TEST(keys_are_described) {
     enum { last = STLTSA_INFO_MARK };
     int seen[last + 1] = {0};
     stltsa_info_key row = {.size = sizeof row};
@@ -177,8 +162,7 @@ static int readable_types(const stltsa_info* info, int32_t key) {
 }
 
 /* Each key has the type that the table says, on those handles that it says, and no other. */
-static void every_handle_has_what_the_table_says(void** state) {
-    (void)state;
+TEST(every_handle_has_what_the_table_says) {
     stltsa_info_key row = {.size = sizeof row};
     for (int64_t i = 0; stltsa_info_describe(i, &row) == STLTSA_OK; ++i) {
         int32_t having = 0;
@@ -202,8 +186,7 @@ static void every_handle_has_what_the_table_says(void** state) {
 /* ---- Rows ---- */
 
 /* Callers that know less of a struct, or more than this library. */
-static void rows_have_the_size_of_the_caller(void** state) {
-    (void)state;
+TEST(rows_have_the_size_of_the_caller) {
     const stltsa_info* info = stltsa_decomposition_info(found);
     const int64_t count = stltsa_info_count(info, STLTSA_INFO_SEGMENT);
     assert_in_range(count, 3, 9);
@@ -230,8 +213,7 @@ static void rows_have_the_size_of_the_caller(void** state) {
         assert_int_equal(past[i], 0xab);
 }
 
-static void rows_are_read_by_range(void** state) {
-    (void)state;
+TEST(rows_are_read_by_range) {
     const stltsa_info* info = stltsa_decomposition_info(found);
     const int32_t key = STLTSA_INFO_UNIT;
     const int64_t count = stltsa_info_count(info, key);
@@ -258,8 +240,7 @@ static void rows_are_read_by_range(void** state) {
     assert_memory_equal(some, all + 3, sizeof some);
 }
 
-static void an_empty_list_has_no_rows(void** state) {
-    (void)state;
+TEST(an_empty_list_has_no_rows) {
     const stltsa_info* info = stltsa_decomposition_info(found);
     stltsa_part part;
     assert_int_equal(stltsa_info_count(info, STLTSA_INFO_REPETITION), 0);
@@ -270,8 +251,7 @@ static void an_empty_list_has_no_rows(void** state) {
 
 /* ---- Arrays ---- */
 
-static void arrays_have_the_type_of_the_caller(void** state) {
-    (void)state;
+TEST(arrays_have_the_type_of_the_caller) {
     const stltsa_info *of_model = stltsa_model_info(model), *of_phase = stltsa_phase_info(phase);
     int64_t rows = 0, cols = 0;
     must(stltsa_info_shape(of_model, STLTSA_INFO_COORDS, &rows, &cols));
@@ -294,14 +274,10 @@ static void arrays_have_the_type_of_the_caller(void** state) {
     whole[0] = 77;
     assert_int_equal(stltsa_info_array(of_phase, STLTSA_INFO_PHASE, 0, &list), STLTSA_E_ARGUMENT);
     assert_int_equal(whole[0], 77);
-    free(whole);
-    free(real);
     free(narrow);
-    free(wide);
 }
 
-static void several_arrays_are_read_by_index(void** state) {
-    (void)state;
+TEST(several_arrays_are_read_by_index) {
     const stltsa_info* info = stltsa_comparison_info(comparison);
     int64_t rows = 0, cols = 0;
     must(stltsa_info_shape(info, STLTSA_INFO_MEAN, &rows, &cols));
@@ -318,14 +294,10 @@ static void several_arrays_are_read_by_index(void** state) {
               "array 2 of mean does not exist: there are 2 here");
     assert_int_equal(stltsa_info_array(info, STLTSA_INFO_MEAN, -1, &out), STLTSA_E_ARGUMENT);
     assert_int_equal(stltsa_info_array(info, STLTSA_INFO_DIFFERENCE, 1, &out), STLTSA_E_ARGUMENT);
-    free(first);
-    free(second);
-    free(difference);
 }
 
 /* On every handle that has arrays: nothing is written. */
-static void arrays_of_the_wrong_shape_are_refused(void** state) {
-    (void)state;
+TEST(arrays_of_the_wrong_shape_are_refused) {
     stltsa_info_key key = {.size = sizeof key};
     for (int64_t i = 0; stltsa_info_describe(i, &key) == STLTSA_OK; ++i)
         for (int h = 0; h < kinds; ++h) {
@@ -350,12 +322,10 @@ static void arrays_of_the_wrong_shape_are_refused(void** state) {
             assert_int_equal(stltsa_info_array(info, key.key, 0, &bad), STLTSA_E_ARGUMENT);
             assert_int_equal(stltsa_info_array(info, key.key, 0, NULL), STLTSA_E_ARGUMENT);
             assert_true(values[0] == 77);
-            free(values);
         }
 }
 
-static void what_is_no_array_is_refused(void** state) {
-    (void)state;
+TEST(what_is_no_array_is_refused) {
     const stltsa_info* info = stltsa_model_info(model);
     int64_t rows = 7, cols = 7;
     double one = 77;
@@ -383,8 +353,7 @@ static void what_is_no_array_is_refused(void** state) {
 
 /* ---- JSON ---- */
 
-static void json_has_the_schema_of_its_handle(void** state) {
-    (void)state;
+TEST(json_has_the_schema_of_its_handle) {
     for (int h = 0; h < kinds; ++h) {
         char* json = (char*)&handles;
         if (handles[h].schema == NULL) {
@@ -423,5 +392,5 @@ int main(int argc, char** argv) {
         cmocka_unit_test(what_is_no_array_is_refused),
         cmocka_unit_test(json_has_the_schema_of_its_handle),
     };
-    return cmocka_run_group_tests(tests, make_handles, free_handles);
+    return cmocka_run_group_tests(tests, make_handles, NULL);
 }

@@ -17,15 +17,7 @@ static stream taught(void) {
     w.frames = stltsa_clip_frames(clip);
     w.features = new_features(clip, NULL, &w.count);
     w.offline = array_of(w.phase, STLTSA_INFO_PHASE);
-    stltsa_clip_free(clip);
     return w;
-}
-
-static void forgotten(stream w) {
-    stltsa_model_free(w.model);
-    stltsa_phase_free(w.phase);
-    free(w.features);
-    free(w.offline);
 }
 
 static stltsa_live* started(stream w) {
@@ -33,7 +25,7 @@ static stltsa_live* started(stream w) {
     must(stltsa_model_keep_mark(w.model, w.phase, 250, "strike"));
     stltsa_live* live = NULL;
     must(stltsa_live_new(w.model, &live));
-    return live;
+    return keep_live(live);
 }
 
 static stltsa_live_frame pushed(stltsa_live* live, stream w, int64_t frame, double seconds) {
@@ -48,8 +40,7 @@ static double off(double a, double b) {
     return fabs(remainder(a - b, 1));
 }
 
-static void the_stream_has_the_phase_of_the_clip(void** state) {
-    (void)state;
+TEST(the_stream_has_the_phase_of_the_clip) {
     stream w = taught();
     assert_int_equal(int_of(w.model, STLTSA_INFO_HAS_CYCLE), 0);
     stltsa_live* live = started(w);
@@ -72,25 +63,20 @@ static void the_stream_has_the_phase_of_the_clip(void** state) {
     }
     assert_below(sum / (double)inside, 0.005, "mean error of the phase");
     assert_int_equal(passed, 3); /* once in each cycle */
-    stltsa_live_free(live);
-    forgotten(w);
 }
 
-static stltsa_status keep(void* user, const stltsa_options* options) {
+static stltsa_status keep_cycle(void* user, const stltsa_options* options) {
     const stream* w = user;
     return stltsa_model_keep_cycle(w->model, w->phase, options);
 }
 
-static void keeping_can_be_cancelled(void** state) {
-    (void)state;
+TEST(keeping_can_be_cancelled) {
     stream w = taught();
-    assert_in_range(cancelled_calls(keep, &w), 1, 1000);
-    forgotten(w);
+    assert_in_range(cancelled_calls(keep_cycle, &w), 1, 1000);
 }
 
 /* Its first phases jump. The body stands, and all places of the cycle are alike. */
-static void no_mark_is_passed_before_the_filter_settles(void** state) {
-    (void)state;
+TEST(no_mark_is_passed_before_the_filter_settles) {
     stream w = taught();
     must(stltsa_model_keep_cycle(w.model, w.phase, NULL));
     for (int i = 0; i < 12; ++i) {
@@ -108,12 +94,10 @@ static void no_mark_is_passed_before_the_filter_settles(void** state) {
     }
     assert_int_equal(later, (1 << 12) - 1);
     stltsa_live_free(live);
-    forgotten(w);
 }
 
 /* Two streams side by side do not disturb each other; a saved model gives the same bits. */
-static void streams_are_independent(void** state) {
-    (void)state;
+TEST(streams_are_independent) {
     stream w = taught();
     stltsa_live *one = started(w), *two = NULL, *again = NULL;
     unsigned char* bytes = NULL;
@@ -131,15 +115,12 @@ static void streams_are_independent(void** state) {
         assert_memory_equal(&a, &b, sizeof a);
     }
     stltsa_free(bytes);
-    stltsa_live_free(one);
     stltsa_live_free(two);
     stltsa_live_free(again);
-    forgotten(w);
 }
 
 /* Dropped and missing frames, a jump, a stop and a restart. */
-static void streams_survive(void** state) {
-    (void)state;
+TEST(streams_survive) {
     stream w = taught();
     stltsa_live* live = started(w);
     stltsa_live_frame frame;
@@ -172,13 +153,10 @@ static void streams_survive(void** state) {
     for (int64_t i = 300; i < 360; ++i)
         frame = pushed(live, w, i, (double)(i - 300) / 120);
     assert_below(off(frame.phase, w.offline[359]), 0.03, "error after a restart");
-    stltsa_live_free(live);
-    forgotten(w);
 }
 
 /* What was before leaves no trace when time falls by more than 0.25 s, or after a second. */
-static void a_restarted_stream_is_a_new_one(void** state) {
-    (void)state;
+TEST(a_restarted_stream_is_a_new_one) {
     stream w = taught();
     const double ends[] = {0.26, 100, -1.1}; /* the last time before, after the first one then */
     for (size_t k = 0; k < sizeof ends / sizeof *ends; ++k) {
@@ -193,17 +171,14 @@ static void a_restarted_stream_is_a_new_one(void** state) {
             assert_true(a.phase == b.phase && a.rate_hz == b.rate_hz);
             assert_true(a.distance == b.distance && a.confidence == b.confidence);
         }
-        stltsa_live_free(anew);
         stltsa_live_free(fresh);
         must(stltsa_model_keep_cycle(w.model, w.phase, NULL)); /* without the mark */
     }
-    forgotten(w);
 }
 
 /* The longer nothing is known, the more likely the body has stopped: from frame to frame a little.
  */
-static void rest_becomes_likely_evenly(void** state) {
-    (void)state;
+TEST(rest_becomes_likely_evenly) {
     stream w = taught();
     stltsa_live* live = started(w);
     double rate = 0, step = 0;
@@ -218,13 +193,10 @@ static void rest_becomes_likely_evenly(void** state) {
         step = rate - next;
         rate = next;
     }
-    stltsa_live_free(live);
-    forgotten(w);
 }
 
 /* A time that cannot be one is an error, and the frame is not taken. */
-static void absurd_times_leave_no_trace(void** state) {
-    (void)state;
+TEST(absurd_times_leave_no_trace) {
     stream w = taught();
     const double absurd[] = {NAN, INFINITY, -INFINITY, 1e15, -1e13, 1e300};
     stltsa_live *live = started(w), *other = NULL;
@@ -243,14 +215,11 @@ static void absurd_times_leave_no_trace(void** state) {
         const stltsa_live_frame frame = pushed(live, w, i, -1e12 + (double)i / 120);
         assert_true(isfinite(frame.cycles) && frame.confidence <= 1.0001);
     }
-    stltsa_live_free(live);
     stltsa_live_free(other);
-    forgotten(w);
 }
 
 /* Coarse clocks give several frames one time, late packets an earlier one. */
-static void clocks_may_be_coarse(void** state) {
-    (void)state;
+TEST(clocks_may_be_coarse) {
     stream w = taught();
     stltsa_live *coarse = started(w), *even = started(w);
     stltsa_live_frame frame, right;
@@ -269,14 +238,10 @@ static void clocks_may_be_coarse(void** state) {
     }
     assert_below(fabs(frame.cycles - right.cycles), 0.03, "turns by a coarse clock");
     assert_int_equal(passed, 2); /* at 250 and 382 */
-    stltsa_live_free(coarse);
-    stltsa_live_free(even);
-    forgotten(w);
 }
 
 /* A number that is no pose is a missing frame: it leaves no trace in the filter. */
-static void huge_numbers_do_no_harm(void** state) {
-    (void)state;
+TEST(huge_numbers_do_no_harm) {
     stream w = taught();
     const double huge[] = {1e300, -1e30, 1e9, INFINITY, NAN};
     for (size_t k = 0; k < sizeof huge / sizeof *huge; ++k) {
@@ -298,15 +263,11 @@ static void huge_numbers_do_no_harm(void** state) {
             assert_true(frame.known && isfinite(frame.phase) && isfinite(frame.distance));
             assert_below(off(frame.phase, other.phase), 0.001, "trace of a huge number");
         }
-        stltsa_live_free(live);
-        stltsa_live_free(missed);
     }
-    forgotten(w);
 }
 
 /* The longer frames are missing, the less the phase is known. */
-static void confidence_falls_while_frames_are_missing(void** state) {
-    (void)state;
+TEST(confidence_falls_while_frames_are_missing) {
     stream w = taught();
     stltsa_live* live = started(w);
     stltsa_live_frame frame;
@@ -325,12 +286,9 @@ static void confidence_falls_while_frames_are_missing(void** state) {
     assert_below(before, 0.8, "confidence after a second");
     frame = pushed(live, w, 300, 450 / 120.0);
     assert_true(frame.confidence == 0);
-    stltsa_live_free(live);
-    forgotten(w);
 }
 
-static void other_motion_is_not_known(void** state) {
-    (void)state;
+TEST(other_motion_is_not_known) {
     stream w = taught();
     stltsa_live* live = started(w);
     for (int64_t i = 200; i < 400; ++i)
@@ -348,14 +306,11 @@ static void other_motion_is_not_known(void** state) {
         }
     }
     assert_true(told >= 0 && told < 400 + 24); /* 0.2 s */
-    stltsa_live_free(live);
-    forgotten(w);
 }
 
 /* Columns of single precision that are 12 bytes apart give what the same numbers give as doubles.
  */
-static void frames_may_be_floats_with_strides(void** state) {
-    (void)state;
+TEST(frames_may_be_floats_with_strides) {
     stream w = taught();
     stltsa_live *live = started(w), *other = NULL;
     must(stltsa_live_new(w.model, &other));
@@ -375,15 +330,11 @@ static void frames_may_be_floats_with_strides(void** state) {
         must(stltsa_live_push(other, (double)i / 120, &row, &b));
         assert_true(a.phase == b.phase && a.confidence == b.confidence);
     }
-    free(packed);
     free(spread);
     stltsa_live_free(other);
-    stltsa_live_free(live);
-    forgotten(w);
 }
 
-static void wrong_arguments_are_named(void** state) {
-    (void)state;
+TEST(wrong_arguments_are_named) {
     stream w = taught();
     stltsa_live* live = NULL;
     assert_int_equal(stltsa_live_new(w.model, &live), STLTSA_E_UNSUPPORTED);
@@ -419,10 +370,7 @@ static void wrong_arguments_are_named(void** state) {
     assert_int_equal(stltsa_model_keep_cycle(other, w.phase, NULL), STLTSA_E_SHAPE);
     assert_int_equal(int_of(other, STLTSA_INFO_HAS_CYCLE), 0);
     stltsa_live_free(NULL);
-    stltsa_live_free(live);
     stltsa_model_free(other);
-    free(x);
-    forgotten(w);
 }
 
 int main(int argc, char** argv) {

@@ -18,7 +18,6 @@ static taught taught_with(stltsa_clip* clip, const stltsa_options* options) {
     stltsa_phase* phase = phase_of(clip, options);
     must(stltsa_model_keep_cycle(t.model, phase, NULL));
     t.offline = array_of(phase, STLTSA_INFO_PHASE);
-    stltsa_phase_free(phase);
     return t;
 }
 
@@ -26,16 +25,10 @@ static taught taught_by(stltsa_clip* clip) {
     return taught_with(clip, NULL);
 }
 
-static void forgotten(taught t) {
-    stltsa_clip_free(t.clip);
-    stltsa_model_free(t.model);
-    free(t.offline);
-}
-
 static stltsa_live* stream_of(taught t) {
     stltsa_live* live = NULL;
     must(stltsa_live_new(t.model, &live));
-    return live;
+    return keep_live(live);
 }
 
 /* The joints of the walker as points. */
@@ -43,9 +36,7 @@ static double* walker_points(int64_t* frames, int64_t* points) {
     stltsa_clip* clip = opened();
     *frames = stltsa_clip_frames(clip);
     *points = count_of(clip, STLTSA_INFO_JOINT);
-    double* x = array_of(clip, STLTSA_INFO_POSITIONS);
-    stltsa_clip_free(clip);
-    return x;
+    return array_of(clip, STLTSA_INFO_POSITIONS);
 }
 
 static stltsa_clip* clip_of(const double* x, int64_t frames, int64_t points) {
@@ -57,7 +48,7 @@ static stltsa_clip* clip_of(const double* x, int64_t frames, int64_t points) {
     given.fps = 120;
     stltsa_clip* clip = NULL;
     must(stltsa_clip_from_points(&given, NULL, &clip));
-    return clip;
+    return keep_clip(clip);
 }
 
 static stltsa_live_frame pushed(stltsa_live* live, double seconds, const double* x,
@@ -85,8 +76,7 @@ static void put_elsewhere(const double* from, int64_t points, double angle, doub
 
 /* Where the body is and which way it faces does not count, and a tenth of the points may be lost.
  */
-static void points_are_followed_frame_by_frame(void** state) {
-    (void)state;
+TEST(points_are_followed_frame_by_frame) {
     int64_t frames, points;
     double* x = walker_points(&frames, &points);
     taught t = taught_by(clip_of(x, frames, points));
@@ -119,17 +109,10 @@ static void points_are_followed_frame_by_frame(void** state) {
     assert_below(sum / (double)inside, 0.005, "mean error");
     assert_below(sum_lossy / (double)inside, 0.006, "mean error with lost points");
     assert_below(furthest, 1e-6, "difference of a body that turns");
-    stltsa_live_free(whole);
-    stltsa_live_free(turned);
-    stltsa_live_free(lossy);
-    free(row);
-    free(x);
-    forgotten(t);
 }
 
 /* Confidence 0, NaN and three zeros are the same; most points lost is a missing frame. */
-static void points_may_be_lost(void** state) {
-    (void)state;
+TEST(points_may_be_lost) {
     int64_t frames, points;
     double* x = walker_points(&frames, &points);
     taught t = taught_by(clip_of(x, frames, points));
@@ -156,17 +139,10 @@ static void points_may_be_lost(void** state) {
     must(stltsa_live_push_points(lives[0], 2.5, &in, &seen, &now[0]));
     assert_false(now[0].known);
     assert_true(isnan(now[0].distance));
-    for (int way = 0; way < 3; ++way)
-        stltsa_live_free(lives[way]);
-    free(row);
-    free(sure);
-    free(x);
-    forgotten(t);
 }
 
 /* A frame has the same answer whatever comes after it: clips of one frame each, and the whole. */
-static void no_frame_depends_on_later_ones(void** state) {
-    (void)state;
+TEST(no_frame_depends_on_later_ones) {
     int64_t frames, points;
     double* x = walker_points(&frames, &points);
     for (int64_t i = 0; i < frames; ++i) /* one point after another is lost for a while */
@@ -186,16 +162,11 @@ static void no_frame_depends_on_later_ones(void** state) {
             assert_memory_equal(&a, &b, sizeof a);
             stltsa_clip_free(single);
         }
-        stltsa_live_free(one);
-        stltsa_live_free(all);
-        forgotten(t);
     }
-    free(x);
 }
 
 /* Quaternions, matrices and channels of a pose are one frame. */
-static void poses_are_followed_in_every_form(void** state) {
-    (void)state;
+TEST(poses_are_followed_in_every_form) {
     taught t = taught_by(opened());
     const int64_t joints = count_of(t.clip, STLTSA_INFO_JOINT),
                   channels = int_of(t.clip, STLTSA_INFO_CHANNELS);
@@ -240,16 +211,9 @@ static void poses_are_followed_in_every_form(void** state) {
         stltsa_live_push_pose(lives[1], 99, STLTSA_ROTATIONS_QUATERNION, &bad, NULL, &now[1]),
         STLTSA_E_ARGUMENT);
     assert_non_null(strstr(stltsa_last_error(), "is no rotation"));
-    for (int k = 0; k < 4; ++k)
-        stltsa_live_free(lives[k]);
-    free(q);
-    free(m);
-    free(raw);
-    forgotten(t);
 }
 
-static void other_forms_are_refused(void** state) {
-    (void)state;
+TEST(other_forms_are_refused) {
     int64_t frames, points;
     double* x = walker_points(&frames, &points);
     taught body = taught_by(opened()), marks = taught_by(clip_of(x, frames, points));
@@ -271,17 +235,11 @@ static void other_forms_are_refused(void** state) {
     assert_int_equal(stltsa_live_push_frame(of_marks, 0, body.clip, 0, &now), STLTSA_E_SHAPE);
     assert_int_equal(stltsa_live_push_frame(of_marks, 0, marks.clip, frames, &now),
                      STLTSA_E_ARGUMENT);
-    stltsa_live_free(of_body);
-    stltsa_live_free(of_marks);
-    forgotten(body);
-    forgotten(marks);
-    free(x);
 }
 
 /* A frame that is off by half a turn must not move the frames after it by a whole one, nor may two
  * frames at nearly the same time do harm. */
-static void a_wrong_frame_of_angles_is_forgotten(void** state) {
-    (void)state;
+TEST(a_wrong_frame_of_angles_is_forgotten) {
     stltsa_options* options = with_int(STLTSA_OPT_FEATURES, STLTSA_FEATURES_EULER);
     taught t = taught_with(opened(), options);
     const int64_t channels = int_of(t.clip, STLTSA_INFO_CHANNELS);
@@ -303,10 +261,6 @@ static void a_wrong_frame_of_angles_is_forgotten(void** state) {
                 assert_below(off(now.phase, t.offline[i]), 0.05, "error");
         }
     }
-    stltsa_live_free(live);
-    stltsa_options_free(options);
-    free(raw);
-    forgotten(t);
 }
 
 int main(int argc, char** argv) {

@@ -8,7 +8,6 @@ enum { rows = 400, cols = 20 };
 static stltsa_model* fitted(const double* x, int64_t count, int64_t k, int64_t d) {
     stltsa_options* options = new_options(k, k, d);
     stltsa_model* model = fitted_rows(x, count, cols, options);
-    stltsa_options_free(options);
     return model;
 }
 
@@ -43,8 +42,7 @@ static double* new_between(const double* x, int64_t count, int64_t width, int64_
     return between;
 }
 
-static void fitted_rows_go_both_ways_to_the_bit(void** state) {
-    (void)state;
+TEST(fitted_rows_go_both_ways_to_the_bit) {
     double* x = new_motion(rows, cols, 11);
     stltsa_model* model = fitted(x, rows, 25, 3);
     double* coords = array_of(model, STLTSA_INFO_COORDS);
@@ -62,12 +60,6 @@ static void fitted_rows_go_both_ways_to_the_bit(void** state) {
     assert_same_bits(back, x, rows * cols);
     for (int64_t i = 0; i < rows; ++i)
         assert_true(nearest[i] == i && distance[i] == 0);
-    free(back);
-    free(distance);
-    free(mapped);
-    free(coords);
-    stltsa_model_free(model);
-    free(x);
 }
 
 /* A path that wanders over a plane, as points on that plane. */
@@ -80,15 +72,12 @@ static double* new_plane_points(void) {
     }
     double* plane = new_directions(2, cols, 5);
     double* x = new_product(path, plane, rows, 2, cols);
-    free(plane);
-    free(path);
     return x;
 }
 
 /* On a plane the coordinates are an affine image of the points, so a point between two rows has the
  * coordinates between theirs. */
-static void plane_is_mapped_exactly(void** state) {
-    (void)state;
+TEST(plane_is_mapped_exactly) {
     double* x = new_plane_points();
     stltsa_model* model = fitted(x, rows, 12, 2);
     double* coords = array_of(model, STLTSA_INFO_COORDS);
@@ -103,13 +92,6 @@ static void plane_is_mapped_exactly(void** state) {
     /* Rows are 0.3 apart; regularization on the way back pulls slightly towards the nearest ones.
      */
     assert_below(largest_difference(back, between, count * cols), 0.05, "error of the way back");
-    free(back);
-    free(mapped);
-    free(expected);
-    free(between);
-    free(coords);
-    stltsa_model_free(model);
-    free(x);
 }
 
 /* Point at `turns` (0 to 1) of a spiral in space; returns the length up to there. */
@@ -130,14 +112,11 @@ static double* new_spiral(double shift, double* lengths) {
         lengths[i] = spiral(((double)i + shift) / rows, points + 3 * i);
     double* space = new_directions(3, cols, 9);
     double* x = new_product(points, space, rows, 3, cols);
-    free(space);
-    free(points);
     return x;
 }
 
 /* One coordinate measures length along a rolled-up curve, also between rows. */
-static void spiral_is_mapped_to_its_length(void** state) {
-    (void)state;
+TEST(spiral_is_mapped_to_its_length) {
     double lengths[rows], held_lengths[rows];
     double* x = new_spiral(0, lengths);
     double* held = new_spiral(0.5, held_lengths);
@@ -158,11 +137,6 @@ static void spiral_is_mapped_to_its_length(void** state) {
     }
     assert_below(worst, 0.5 * all / rows, "error of the length, over the step of the rows");
     assert_below(worst_beside, 0.02 * all / rows, "error of the length against the row beside");
-    free(mapped);
-    free(coords);
-    stltsa_model_free(model);
-    free(held);
-    free(x);
 }
 
 /* Largest step of the coordinates on a path through the frames, divided into steps. */
@@ -181,25 +155,19 @@ static double largest_step(const stltsa_model* model, const double* x, int64_t p
     double largest = 0;
     for (int64_t i = 3; i < 3 * legs * pieces; ++i)
         largest = fmax(largest, fabs(mapped[i] - mapped[i - 3]));
-    free(mapped);
-    free(way);
     return largest;
 }
 
 /* Through frames, and through points where one frame replaces another in the blend. */
-static void map_is_continuous(void** state) {
-    (void)state;
+TEST(map_is_continuous) {
     double* x = new_motion(rows, cols, 12);
     stltsa_model* model = fitted(x, rows, 25, 3);
     const double coarse = largest_step(model, x, 500);
     const double fine = largest_step(model, x, 8000);
     assert_below(fine, 0.2 * coarse, "step at a sixteenth of the distance");
-    stltsa_model_free(model);
-    free(x);
 }
 
-static void frames_far_away_are_flagged(void** state) {
-    (void)state;
+TEST(frames_far_away_are_flagged) {
     double* x = new_motion(rows, cols, 13);
     stltsa_model* model = fitted(x, rows, 25, 3);
     const double support = real_of(model, STLTSA_INFO_REACH);
@@ -230,14 +198,6 @@ static void frames_far_away_are_flagged(void** state) {
     middle[0] += 10;
     unmap(model, middle, 1, NULL, NULL, between, distance, NULL);
     assert_true(distance[0] > 10);
-    free(middle);
-    free(coords);
-    free(off);
-    free(distance);
-    free(mapped);
-    free(between);
-    stltsa_model_free(model);
-    free(x);
 }
 
 /* Frames and points near the fitted ones, their mapping, and their distances. */
@@ -255,11 +215,9 @@ static void ask(const stltsa_model* model, const double* near, const double* poi
         unmap(model, points + 3 * i, at_once, NULL, options, asked->x + i * cols,
               asked->back_distance + i, asked->back_nearest + i);
     }
-    stltsa_options_free(options);
 }
 
-static void threads_and_portions_change_nothing(void** state) {
-    (void)state;
+TEST(threads_and_portions_change_nothing) {
     double* x = new_motion(rows, cols, 14);
     stltsa_model* model = fitted(x, rows, 25, 3);
     double* points = array_of(model, STLTSA_INFO_COORDS);
@@ -276,13 +234,9 @@ static void threads_and_portions_change_nothing(void** state) {
     for (int a = 1; a < 4; ++a)
         assert_memory_equal(&asked[a], &asked[0], sizeof asked[0]);
     free(asked);
-    free(points);
-    stltsa_model_free(model);
-    free(x);
 }
 
-static void strides_and_float32(void** state) {
-    (void)state;
+TEST(strides_and_float32) {
     double* x = new_motion(rows, cols, 15);
     stltsa_model* model = fitted(x, rows, 25, 2);
     double* between = new_between(x, rows, cols, 1, 0.4);
@@ -307,15 +261,10 @@ static void strides_and_float32(void** state) {
             assert_true(mapped[l * count + i] == (float)expected[2 * (count - 1 - i) + l]);
     free(mapped);
     free(narrow);
-    free(expected);
-    free(between);
-    stltsa_model_free(model);
-    free(x);
 }
 
 /* A swing: one coordinate, and two poses for each of its values. */
-static void hints_tell_to_from_fro(void** state) {
-    (void)state;
+TEST(hints_tell_to_from_fro) {
     double* x = new_matrix(rows, cols);
     for (int64_t i = 0; i < rows; ++i)
         for (int64_t c = 0; c < cols; ++c)
@@ -350,19 +299,10 @@ static void hints_tell_to_from_fro(void** state) {
     hints[0] = 100;
     unmap(model, middle + 200, 1, hints, NULL, back, NULL, nearest);
     assert_true(llabs(nearest[0] - 100) <= 48 / 5);
-    stltsa_options_free(options);
-    free(again);
-    free(back);
-    free(expected);
-    free(middle);
-    free(coords);
-    stltsa_model_free(model);
-    free(x);
 }
 
 /* The window of a hint does not extend into the next clip; a window of one row decides alone. */
-static void hints_stay_in_their_window(void** state) {
-    (void)state;
+TEST(hints_stay_in_their_window) {
     double* x = new_motion(rows, cols, 16);
     const int64_t lengths[] = {150, 250};
     const stltsa_in clips = list_in(lengths, 2);
@@ -382,13 +322,10 @@ static void hints_stay_in_their_window(void** state) {
     map(model, x + 20 * cols, 1, NULL, options, y, NULL, &nearest);
     assert_int_equal(nearest, 20);
     stltsa_model_free(model);
-    stltsa_options_free(options);
-    free(x);
 }
 
 /* Each row occurs three times; a hint counts poses, not repetitions. */
-static void repeated_rows_are_one(void** state) {
-    (void)state;
+TEST(repeated_rows_are_one) {
     double* once = new_motion(rows, cols, 17);
     const int64_t copies = 3;
     const int64_t all = copies * rows;
@@ -413,19 +350,11 @@ static void repeated_rows_are_one(void** state) {
         assert_true(nearest[0] == copies * i || nearest[0] == copies * (i + 1));
         assert_below(distance, 1, "distance between repeated rows");
     }
-    stltsa_options_free(options);
-    free(between);
     free(nearest);
-    free(mapped);
-    free(coords);
-    stltsa_model_free(model);
-    free(x);
-    free(once);
 }
 
 /* Local maps with one row, with fewer rows than coordinates, and with more rows than exist. */
-static void any_number_of_neighbors_and_maps(void** state) {
-    (void)state;
+TEST(any_number_of_neighbors_and_maps) {
     double* x = new_motion(rows, cols, 18);
     stltsa_model* model = fitted(x, rows, 25, 3);
     double* coords = array_of(model, STLTSA_INFO_COORDS);
@@ -445,12 +374,7 @@ static void any_number_of_neighbors_and_maps(void** state) {
                      "from the row beside");
         unmap(model, y, 3, NULL, options, back, NULL, NULL);
         assert_below(largest_difference(back, between + 77 * cols, 3 * cols), loose, "way back");
-        stltsa_options_free(options);
     }
-    free(between);
-    free(coords);
-    stltsa_model_free(model);
-    free(x);
 }
 
 int main(void) {

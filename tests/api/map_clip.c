@@ -7,7 +7,6 @@ static stltsa_model* fitted(const stltsa_clip* clip, int64_t features) {
     stltsa_options* options = with_int(STLTSA_OPT_DIMENSION, 3);
     must(stltsa_options_set_int(options, STLTSA_OPT_FEATURES, features));
     stltsa_model* model = fitted_clip(clip, options);
-    stltsa_options_free(options);
     return model;
 }
 
@@ -28,7 +27,7 @@ static stltsa_clip* posed(const stltsa_model* model, const double* coords, int64
     const stltsa_in in = packed_in(coords, count, 3);
     stltsa_clip* poses = NULL;
     must(stltsa_unmap_clip(model, &in, NULL, options, NULL, NULL, &poses));
-    return poses;
+    return keep_clip(poses);
 }
 
 static void assert_maps_to_itself(const stltsa_clip* clip, int64_t features) {
@@ -46,25 +45,18 @@ static void assert_maps_to_itself(const stltsa_clip* clip, int64_t features) {
     /* The frames between are of the same walk. */
     for (int64_t i = first; i < frames; ++i)
         assert_below(distance[i], 1, "distance of a frame of the fitted clip");
-    free(coords);
-    free(mapped);
     free(nearest);
-    free(distance);
-    stltsa_model_free(model);
 }
 
-static void fitted_clip_gets_its_own_coordinates(void** state) {
-    (void)state;
+TEST(fitted_clip_gets_its_own_coordinates) {
     stltsa_clip* clip = opened();
     assert_maps_to_itself(clip, STLTSA_FEATURES_POSITIONS);
     assert_maps_to_itself(clip, STLTSA_FEATURES_ROTATIONS6D);
     assert_maps_to_itself(clip, STLTSA_FEATURES_EULER);
-    stltsa_clip_free(clip);
 }
 
 /* Also if rows are equal, except for their coordinates: standing before and after. */
-static void equal_frames_keep_their_own_coordinates(void** state) {
-    (void)state;
+TEST(equal_frames_keep_their_own_coordinates) {
     enum { frames = 300, cols = 4 };
     double* x = new_matrix(frames, cols);
     for (int64_t i = 0; i < frames; ++i)
@@ -80,12 +72,6 @@ static void equal_frames_keep_their_own_coordinates(void** state) {
     assert_memory_equal(x + 50 * cols, x + 90 * cols, cols * sizeof *x);
     double* mapped = new_mapped(model, clip, NULL, NULL);
     assert_same_bits(mapped, coords, 3 * frames);
-    free(mapped);
-    free(coords);
-    stltsa_model_free(model);
-    stltsa_options_free(options);
-    stltsa_clip_free(clip);
-    free(x);
 }
 
 static double bone(const double* positions, int64_t joint, int64_t parent) {
@@ -106,8 +92,7 @@ static double* new_points(const stltsa_model* model, int64_t* count) {
     return points;
 }
 
-static void bones_keep_their_lengths(void** state) {
-    (void)state;
+TEST(bones_keep_their_lengths) {
     stltsa_clip* clip = opened();
     stltsa_model* model = fitted(clip, STLTSA_FEATURES_POSITIONS);
     int64_t count = 0;
@@ -132,17 +117,10 @@ static void bones_keep_their_lengths(void** state) {
         assert_true(fabs(root[0]) < 1e-9 && fabs(root[2]) < 1e-9);
         assert_below(fabs(root[1] - source[1]), 15, "height against standing, in cm");
     }
-    free(made);
-    free(source);
-    stltsa_clip_free(poses);
-    free(points);
-    stltsa_model_free(model);
-    stltsa_clip_free(clip);
 }
 
 /* Each point becomes a frame, so poses have the rate of the points; by default that of the rows. */
-static void poses_have_the_rate_of_the_points(void** state) {
-    (void)state;
+TEST(poses_have_the_rate_of_the_points) {
     stltsa_clip* clip = opened();
     stltsa_model* model = fitted(clip, STLTSA_FEATURES_POSITIONS);
     const int64_t frames = stltsa_clip_frames(clip);
@@ -154,17 +132,10 @@ static void poses_have_the_rate_of_the_points(void** state) {
     assert_true(stltsa_clip_fps(told) == stltsa_clip_fps(clip));
     assert_true(stltsa_clip_fps(told) == 4 * stltsa_clip_fps(untold));
     assert_int_equal(stltsa_clip_frames(told), frames);
-    stltsa_clip_free(told);
-    stltsa_options_free(options);
-    stltsa_clip_free(untold);
-    free(coords);
-    stltsa_model_free(model);
-    stltsa_clip_free(clip);
 }
 
 /* The coordinates of the rows give the poses of the fitted frames. */
-static void poses_of_the_rows_come_back(void** state) {
-    (void)state;
+TEST(poses_of_the_rows_come_back) {
     stltsa_clip* clip = opened();
     stltsa_model* model = fitted(clip, STLTSA_FEATURES_POSITIONS);
     const int64_t rows = int_of(model, STLTSA_INFO_ROWS);
@@ -182,12 +153,6 @@ static void poses_of_the_rows_come_back(void** state) {
             const double cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
             assert_below(1 - fabs(cosine), 1e-12, "turn of a joint");
         }
-    free(made);
-    free(source);
-    stltsa_clip_free(poses);
-    free(coords);
-    stltsa_model_free(model);
-    stltsa_clip_free(clip);
 }
 
 static void frames_are_features_of_the_poses(const stltsa_clip* clip, int64_t features) {
@@ -211,25 +176,15 @@ static void frames_are_features_of_the_poses(const stltsa_clip* clip, int64_t fe
     const stltsa_out one_out = packed_out(one, 1, width);
     must(stltsa_unmap(model, &one_in, NULL, NULL, &one_out, NULL, NULL));
     assert_same_bits(one, frames + 33 * width, width);
-    free(one);
-    stltsa_options_free(options);
-    free(expected);
-    free(frames);
-    stltsa_clip_free(poses);
-    free(points);
-    stltsa_model_free(model);
 }
 
-static void frames_of_points_are_features_of_their_poses(void** state) {
-    (void)state;
+TEST(frames_of_points_are_features_of_their_poses) {
     stltsa_clip* clip = opened();
     frames_are_features_of_the_poses(clip, STLTSA_FEATURES_POSITIONS);
     frames_are_features_of_the_poses(clip, STLTSA_FEATURES_ROTATIONS6D);
-    stltsa_clip_free(clip);
 }
 
-static void threads_change_nothing(void** state) {
-    (void)state;
+TEST(threads_change_nothing) {
     stltsa_clip* clip = opened();
     stltsa_model* model = fitted(clip, STLTSA_FEATURES_POSITIONS);
     int64_t count = 0;
@@ -240,19 +195,11 @@ static void threads_change_nothing(void** state) {
         stltsa_options* options = with_int(STLTSA_OPT_THREADS, t + 1);
         stltsa_clip* poses = posed(model, points, count, options);
         positions[t] = array_of(poses, STLTSA_INFO_POSITIONS);
-        stltsa_clip_free(poses);
-        stltsa_options_free(options);
     }
     assert_same_bits(positions[0], positions[1], count * width);
-    free(positions[0]);
-    free(positions[1]);
-    free(points);
-    stltsa_model_free(model);
-    stltsa_clip_free(clip);
 }
 
-static void bare_numbers_have_no_poses(void** state) {
-    (void)state;
+TEST(bare_numbers_have_no_poses) {
     enum { frames = 200, cols = 6 };
     double* x = new_motion(frames, cols, 31);
     const stltsa_in in = packed_in(x, frames, cols);
@@ -284,14 +231,7 @@ static void bare_numbers_have_no_poses(void** state) {
     assert_int_equal(stltsa_map_clip(of_numbers, walk, NULL, &walk_out, NULL, NULL),
                      STLTSA_E_SHAPE);
     must(stltsa_map_clip(of_numbers, numbers, NULL, &out, NULL, NULL));
-    free(all);
-    stltsa_model_free(of_walk);
-    stltsa_model_free(of_matrix);
-    stltsa_model_free(of_numbers);
-    stltsa_clip_free(walk);
     stltsa_clip_free(numbers);
-    stltsa_options_free(options);
-    free(x);
 }
 
 int main(int argc, char** argv) {

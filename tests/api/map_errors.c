@@ -30,8 +30,6 @@ static int set_up(void** state) {
 static int tear_down(void** state) {
     struct fixture* f = *state;
     stltsa_model_free(f->model);
-    stltsa_options_free(f->options);
-    free(f->x);
     free(f);
     return 0;
 }
@@ -268,7 +266,6 @@ static void components_do_not_mix(void** state) {
     must(map(f, between, 1, cols, NULL));
     const double* beside = coords + 2 * (f->nearest[0] < 80 ? 79 : 80);
     assert_below(largest_difference(f->y, beside, 2), 0.05, "distance from the row beside");
-    free(coords);
 }
 
 static int32_t stop_in_map(void* calls, int32_t stage, double fraction) {

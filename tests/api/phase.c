@@ -2,8 +2,7 @@
 /* Phases of a clip's frames, and signals on 0 to 100 % of its cycles, through the public API. */
 #include "support.h"
 
-static void every_frame_of_a_cycle_has_a_phase(void** state) {
-    (void)state;
+TEST(every_frame_of_a_cycle_has_a_phase) {
     struct walk w = walk_of(opened());
     double *values = array_of(w.phase, STLTSA_INFO_PHASE),
            *residual = array_of(w.phase, STLTSA_INFO_PHASE_RESIDUAL);
@@ -29,15 +28,10 @@ static void every_frame_of_a_cycle_has_a_phase(void** state) {
     assert_true(inside > 100);
     assert_true(isnan(values[stltsa_clip_frames(w.clip) - 1]));
     assert_int_equal(count_of(w.phase, STLTSA_INFO_WARNING), 0);
-    free(values);
-    free(residual);
-    free(cycle);
-    closed(w);
 }
 
 /* A ramp shows the frame of each sample; a second signal is missing at one frame. */
-static void signals_are_resampled_by_phase(void** state) {
-    (void)state;
+TEST(signals_are_resampled_by_phase) {
     enum { samples = 101 };
     struct walk w = walk_of(opened());
     const int64_t frames = stltsa_clip_frames(w.clip);
@@ -67,7 +61,6 @@ static void signals_are_resampled_by_phase(void** state) {
             assert_true(s == 0 || frame > places[c * samples + s - 1]);
             assert_below(fabs(warp[c * samples + s]), 0.1, "warp");
         }
-        free(values);
         /* A cycle ends where the next one begins. */
         if (c + 1 < count)
             assert_below(fabs(places[c * samples + 100] - places[(c + 1) * samples]), 1e-9, "gap");
@@ -76,19 +69,10 @@ static void signals_are_resampled_by_phase(void** state) {
     }
     assert_true(mean[1] == 1 && deviation[1] == 0);
     stltsa_cycles_free(cycles);
-    free(signals);
-    free(places);
-    free(warp);
-    free(mean);
-    free(deviation);
-    free(total);
-    free(columns);
-    closed(w);
 }
 
 /* Plain linear time normalization, computed here. */
-static void between_borders_time_is_linear(void** state) {
-    (void)state;
+TEST(between_borders_time_is_linear) {
     enum { rows = 90, samples = 33, count = 3 };
     const double at[count + 1] = {3.25, 30, 51.5, 88.75};
     double* x = new_motion(rows, 2, 3);
@@ -109,16 +93,12 @@ static void between_borders_time_is_linear(void** state) {
                 mean[2 * s + k] += each[2 * s + k] / count;
             }
         }
-        free(each);
     }
     double *found = array_of(cycles, STLTSA_INFO_MEAN), *warp = array_of(cycles, STLTSA_INFO_WARP);
     assert_below(largest_difference(found, mean, (int64_t)2 * samples), 1e-12, "mean");
     for (int i = 0; i < count * samples; ++i)
         assert_below(fabs(warp[i]), 1e-12, "warp of linear time");
-    free(found);
-    free(warp);
     stltsa_cycles_free(cycles);
-    free(x);
 }
 
 static stltsa_status resample(void* user, const stltsa_options* options) {
@@ -136,20 +116,16 @@ static stltsa_status resample(void* user, const stltsa_options* options) {
         assert_true((cycles == NULL) == (status != STLTSA_OK));
         stltsa_cycles_free(cycles);
     }
-    free(signal);
     return status;
 }
 
-static void resampling_can_be_cancelled(void** state) {
-    (void)state;
+TEST(resampling_can_be_cancelled) {
     struct walk w = walk_of(opened());
     assert_in_range(cancelled_calls(resample, &w), 2, 1000);
-    closed(w);
 }
 
 /* The distance of a group is the root of the sum of squares of its columns. */
-static void groups_of_columns_have_distances(void** state) {
-    (void)state;
+TEST(groups_of_columns_have_distances) {
     struct walk w = walk_of(opened());
     const int64_t frames = stltsa_clip_frames(w.clip);
     enum { cols = 4 };
@@ -176,15 +152,11 @@ static void groups_of_columns_have_distances(void** state) {
     assert_int_equal(stltsa_cycles_group_distance(cycles, &few, &to_groups), STLTSA_E_SHAPE);
     assert_true(count_of(w.phase, STLTSA_INFO_OWNER) > 9);
     assert_string_not_equal(get_text(stltsa_phase_info(w.phase), STLTSA_INFO_OWNER, 3), "");
-    free(columns);
     stltsa_cycles_free(cycles);
-    free(signals);
-    closed(w);
 }
 
 /* A cycle may end with the last frame: what comes after the begin of that frame is unknown. */
-static void the_last_border_may_be_the_end(void** state) {
-    (void)state;
+TEST(the_last_border_may_be_the_end) {
     const double x[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, at[] = {0, 5, 10};
     const stltsa_in in = packed_in(x, 10, 1), borders = packed_in(at, 3, 1);
     stltsa_cycles* cycles = NULL;
@@ -195,13 +167,10 @@ static void the_last_border_may_be_the_end(void** state) {
         assert_below(fabs(second[s] - (5 + s)), 1e-12, "second cycle");
     assert_true(isnan(second[5]));
     assert_below(fabs(mean[5] - 5), 1e-12, "mean of the first cycle alone");
-    free(second);
-    free(mean);
     stltsa_cycles_free(cycles);
 }
 
-static void wrong_arguments_are_named(void** state) {
-    (void)state;
+TEST(wrong_arguments_are_named) {
     struct walk w = walk_of(opened());
     const int64_t frames = stltsa_clip_frames(w.clip);
     double* signals = new_matrix(frames, 1);
@@ -231,9 +200,7 @@ static void wrong_arguments_are_named(void** state) {
     assert_null(sides);
     stltsa_phase_free(NULL);
     stltsa_cycles_free(NULL);
-    free(signals);
     stltsa_clip_free(part);
-    closed(w);
 }
 
 /* A hand that goes away and back three times, at two speeds, with rests; three markers. */
@@ -262,14 +229,12 @@ static stltsa_clip* new_reaches(void) {
     points.positions = packed_in(values, frames, cols);
     stltsa_clip* clip = NULL;
     must(stltsa_clip_from_points(&points, NULL, &clip));
-    free(values);
     return clip;
 }
 
 /* Repetitions are compared at equal phases, as cycles are; but only frames of cycles have a phase.
  */
-static void repetitions_are_resampled_by_phase(void** state) {
-    (void)state;
+TEST(repetitions_are_resampled_by_phase) {
     enum { samples = 11 };
     struct walk w = walk_of(new_reaches());
     const int64_t frames = stltsa_clip_frames(w.clip),
@@ -298,12 +263,7 @@ static void repetitions_are_resampled_by_phase(void** state) {
     stltsa_model* model = fitted_clip(w.clip, NULL);
     must_fail(stltsa_model_keep_cycle(model, w.phase, NULL), STLTSA_E_ARGUMENT,
               "the clip has no cycles");
-    stltsa_model_free(model);
     stltsa_cycles_free(cycles);
-    free(resampled);
-    free(ramp);
-    free(values);
-    closed(w);
 }
 
 int main(int argc, char** argv) {

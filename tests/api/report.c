@@ -34,32 +34,26 @@ static char* file_text(void) {
     text[size] = '\0';
     fclose(file);
     assert_int_equal(unlink(path), 0);
-    return text;
+    return keep(text, free);
 }
 
 static char* report(const stltsa_clip* clip, const char* command) {
     stltsa_decomposition* found = decomposed(clip, NULL);
     must(stltsa_report_save(clip, found, NULL, command, path));
-    stltsa_decomposition_free(found);
     return file_text();
 }
 
-static void a_page_repeats_to_the_byte(void** state) {
-    (void)state;
+TEST(a_page_repeats_to_the_byte) {
     stltsa_clip* clip = opened();
     char *one = report(clip, NULL), *two = report(clip, NULL);
     assert_string_equal(one, two);
     assert_int_equal(strncmp(one, "<!doctype html>\n", 16), 0);
     assert_non_null(strstr(one, "\"format\":\"stltsa-report/1\""));
     assert_non_null(strstr(one, "\"format\":\"stltsa-decomposition/2\""));
-    free(one);
-    free(two);
-    stltsa_clip_free(clip);
 }
 
 /* The suffix alone decides, in any case; the figure names the clip. */
-static void a_path_that_ends_in_svg_gets_a_figure(void** state) {
-    (void)state;
+TEST(a_path_that_ends_in_svg_gets_a_figure) {
     stltsa_clip* clip = opened();
     char* page = report(clip, NULL);
     const char* const suffixes[] = {"svg", "SVG"};
@@ -72,22 +66,15 @@ static void a_path_that_ends_in_svg_gets_a_figure(void** state) {
         assert_non_null(strstr(one, "class=\"posture\""));
         assert_non_null(strstr(one, "3 cycles of 1.100 s, standard deviation 0.000 s"));
         assert_true(strlen(one) < strlen(page) / 2);
-        free(one);
-        free(two);
     }
     snprintf(path, sizeof path, "%s/walk.html", folder);
-    free(page);
-    stltsa_clip_free(clip);
 }
 
-static void no_text_ends_the_data(void** state) {
-    (void)state;
+TEST(no_text_ends_the_data) {
     stltsa_clip* clip = opened();
     char* page = report(clip, "</script><script>alert(1)</script>");
     assert_null(strstr(page, "alert(1)</script>"));
     assert_non_null(strstr(page, "\\u003c/script>\\u003cscript>alert(1)"));
-    free(page);
-    stltsa_clip_free(clip);
 }
 
 static int32_t count_writing(void* user, int32_t stage, double fraction) {
@@ -106,13 +93,12 @@ static stltsa_status save_page(void* user, const stltsa_options* options) {
     const struct page* of = user;
     const stltsa_status status = stltsa_report_save(of->clip, of->found, options, NULL, path);
     if (status == STLTSA_OK)
-        free(file_text());
+        file_text();
     assert_int_equal(access(path, F_OK), -1);
     return status;
 }
 
-static void saving_can_be_cancelled(void** state) {
-    (void)state;
+TEST(saving_can_be_cancelled) {
     struct page of = {opened(), NULL};
     of.found = decomposed(of.clip, NULL);
     /* Before the frames are chosen and packed, and the page is filled. */
@@ -124,13 +110,9 @@ static void saving_can_be_cancelled(void** state) {
     assert_in_range(cancelled_calls(save_page, &of), 1, 1000);
     snprintf(path, sizeof path, "%s/walk.html", folder);
     assert_int_equal(writing, 3);
-    stltsa_options_free(options);
-    stltsa_decomposition_free(of.found);
-    stltsa_clip_free(of.clip);
 }
 
-static void what_is_wrong_is_said(void** state) {
-    (void)state;
+TEST(what_is_wrong_is_said) {
     stltsa_clip* clip = opened();
     stltsa_clip* other = NULL;
     stltsa_decomposition* found = NULL;
@@ -149,15 +131,13 @@ static void what_is_wrong_is_said(void** state) {
     assert_int_not_equal(access(path, F_OK), 0);
     stltsa_decomposition_free(found);
     stltsa_clip_free(other);
-    stltsa_clip_free(clip);
 }
 
 static stltsa_comparison* sides_of(const stltsa_clip* clip) {
     stltsa_phase* phase = phase_of(clip, NULL);
     stltsa_comparison* sides = NULL;
     must(stltsa_compare_left_right(clip, phase, -1, 51, NULL, &sides));
-    stltsa_phase_free(phase);
-    return sides;
+    return keep_comparison(sides);
 }
 
 static char* comparison_report(const stltsa_comparison* sides, const char* command) {
@@ -168,31 +148,25 @@ static char* comparison_report(const stltsa_comparison* sides, const char* comma
 static stltsa_status save_comparison(void* sides, const stltsa_options* options) {
     const stltsa_status status = stltsa_comparison_report_save(sides, options, NULL, path);
     if (status == STLTSA_OK)
-        free(file_text());
+        file_text();
     assert_int_equal(access(path, F_OK), -1);
     return status;
 }
 
-static void a_comparison_is_a_page(void** state) {
-    (void)state;
+TEST(a_comparison_is_a_page) {
     stltsa_clip* clip = opened();
     stltsa_comparison* sides = sides_of(clip);
     char* one = comparison_report(sides, NULL);
     char* two = comparison_report(sides, NULL);
     assert_string_equal(one, two);
     assert_non_null(strstr(one, "\"format\":\"stltsa-comparison-report/1\""));
-    free(one);
-    free(two);
     char* page = comparison_report(sides, "</script>a");
     assert_null(strstr(page, "</script>a"));
-    free(page);
     assert_in_range(cancelled_calls(save_comparison, sides), 1, 1000);
     assert_int_equal(stltsa_comparison_report_save(NULL, NULL, NULL, path), STLTSA_E_ARGUMENT);
     assert_int_equal(stltsa_comparison_report_save(sides, NULL, NULL, NULL), STLTSA_E_ARGUMENT);
     assert_int_equal(stltsa_comparison_report_save(sides, NULL, NULL, "/no/such/folder/x.html"),
                      STLTSA_E_IO);
-    stltsa_comparison_free(sides);
-    stltsa_clip_free(clip);
 }
 
 int main(int argc, char** argv) {

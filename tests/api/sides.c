@@ -24,7 +24,7 @@ static stltsa_cycles* knees(double gain, double raised, double late, int64_t sam
                     at = packed_in(borders, cycles_of_signals + 1, 1);
     stltsa_cycles* cycles = NULL;
     must(stltsa_cycles_between(&at, &in, samples, NULL, &cycles));
-    return cycles;
+    return keep_cycles(cycles);
 }
 
 static stltsa_comparison* compared_knees(double gain, double raised, double late) {
@@ -32,15 +32,13 @@ static stltsa_comparison* compared_knees(double gain, double raised, double late
     stltsa_cycles* cycles = knees(gain, raised, late, 101);
     stltsa_comparison* comparison = NULL;
     must(stltsa_cycles_compare_left_right(cycles, names, period, NULL, &comparison));
-    stltsa_cycles_free(cycles);
     assert_int_equal(count_of(comparison, STLTSA_INFO_PART), 1);
     assert_string_equal(part_at(comparison, 0).first, "knee_l");
     assert_string_equal(part_at(comparison, 0).second, "knee_r");
-    return comparison;
+    return keep_comparison(comparison);
 }
 
-static void like_sides_differ_by_nothing(void** state) {
-    (void)state;
+TEST(like_sides_differ_by_nothing) {
     stltsa_comparison* comparison = compared_knees(1, 0, 0);
     const stltsa_compared_part channel = channel_at(comparison, 0);
     assert_below(channel.rms_difference, 1e-12, "rms");
@@ -49,12 +47,10 @@ static void like_sides_differ_by_nothing(void** state) {
     assert_below(fabs(channel.amplitude.difference), 1e-12, "ranges");
     assert_below(fabs(channel.lag.difference), 1e-9, "lag");
     assert_below(1 - channel.correlation, 1e-9, "1 - correlation");
-    stltsa_comparison_free(comparison);
 }
 
 /* No cycle is lost by the half that the right side is later. */
-static void known_differences_are_found(void** state) {
-    (void)state;
+TEST(known_differences_are_found) {
     stltsa_comparison* comparison = compared_knees(0.8, 0.1, 0.031);
     const stltsa_compared_part channel = channel_at(comparison, 0);
     assert_below(fabs(channel.mean.difference - 0.1), 1e-9, "mean");
@@ -76,27 +72,20 @@ static void known_differences_are_found(void** state) {
                           0.32 * cos(2 * turn * (at - 0.031))),
                      1e-9, "right");
     }
-    free(left);
-    free(right);
-    stltsa_comparison_free(comparison);
 }
 
 /* Curves without a common shape, or that do not move, have no lag. */
-static void unlike_curves_have_no_lag(void** state) {
-    (void)state;
+TEST(unlike_curves_have_no_lag) {
     stltsa_comparison* comparison = compared_knees(0, 1, 0);
     const stltsa_compared_part still = channel_at(comparison, 0);
     assert_true(isnan(still.lag.difference) && isnan(still.correlation));
     assert_true(still.amplitude.second < 1e-12 && still.rms_difference > 0.5);
-    stltsa_comparison_free(comparison);
     comparison = compared_knees(-1, 0, 0.03);
     assert_true(isnan(channel_at(comparison, 0).lag.difference));
     assert_below(channel_at(comparison, 0).correlation, 0.7, "correlation");
-    stltsa_comparison_free(comparison);
 }
 
-static void names_must_pair(void** state) {
-    (void)state;
+TEST(names_must_pair) {
     stltsa_cycles* cycles = knees(1, 0, 0, 101);
     const char *const unlike[] = {"knee_l", "lock", "hip_r"},
                       *const missing[] = {"knee_l", NULL, "knee_r"},
@@ -115,12 +104,10 @@ static void names_must_pair(void** state) {
     const stltsa_compared found = compared_of(comparison);
     assert_true(isnan(found.cycle_time_s.first) && isnan(motion_at(comparison, 0).cycles_per_min));
     stltsa_comparison_free(comparison);
-    stltsa_cycles_free(cycles);
 }
 
 /* Cycles with a gap in one of the signals of a pair are left out; a gap elsewhere does no harm. */
-static void cycles_with_gaps_are_left_out(void** state) {
-    (void)state;
+TEST(cycles_with_gaps_are_left_out) {
     double signals[3 * frames_of_signals], borders[cycles_of_signals + 1];
     for (int i = 0; i < frames_of_signals; ++i) {
         signals[3 * i] = sin(turn * i / period);
@@ -145,11 +132,10 @@ static void cycles_with_gaps_are_left_out(void** state) {
 static stltsa_comparison* sides_of(struct walk w) {
     stltsa_comparison* comparison = NULL;
     must(stltsa_compare_left_right(w.clip, w.phase, 0, 101, NULL, &comparison));
-    return comparison;
+    return keep_comparison(comparison);
 }
 
-static void a_symmetric_walk_differs_by_nothing(void** state) {
-    (void)state;
+TEST(a_symmetric_walk_differs_by_nothing) {
     struct walk w = walk_of(opened());
     stltsa_comparison* sides = sides_of(w);
     assert_true(count_of(sides, STLTSA_INFO_PART_CHANNEL) > 20);
@@ -161,11 +147,9 @@ static void a_symmetric_walk_differs_by_nothing(void** state) {
         if (channel.amplitude.first > 5)
             assert_below(fabs(channel.lag.difference), 0.002, "lag");
     }
-    stltsa_comparison_free(sides);
     assert_int_equal(stltsa_compare_left_right(w.clip, w.phase, 3, 101, NULL, &sides),
                      STLTSA_E_ARGUMENT);
     assert_null(sides);
-    closed(w);
 }
 
 /* The joints of the walker as points; those of the right side are renamed and raised. */
@@ -191,13 +175,10 @@ static struct walk walk_of_points(const char* right, double raised) {
                               .names = names,
                               .fps = stltsa_clip_fps(clip)};
     must(stltsa_clip_from_points(&of, NULL, &points));
-    free(positions);
-    stltsa_clip_free(clip);
     return walk_of(points);
 }
 
-static void a_raised_side_is_seen_in_points(void** state) {
-    (void)state;
+TEST(a_raised_side_is_seen_in_points) {
     for (int side = 0; side < 2; ++side) {
         const double raised = 3.0 * side;
         struct walk w = walk_of_points("Right", raised);
@@ -211,24 +192,19 @@ static void a_raised_side_is_seen_in_points(void** state) {
             assert_below(fabs(channel.mean.difference - expected), 0.1, "mean (cm)");
             assert_below(fabs(channel.rms_difference - fabs(expected)), 0.35, "rms (cm)");
         }
-        stltsa_comparison_free(sides);
-        closed(w);
     }
 }
 
-static void sides_without_names_are_not_compared(void** state) {
-    (void)state;
+TEST(sides_without_names_are_not_compared) {
     struct walk w = walk_of_points("Other", 0);
     stltsa_comparison* sides = NULL;
     assert_int_equal(stltsa_compare_left_right(w.clip, w.phase, 0, 101, NULL, &sides),
                      STLTSA_E_UNSUPPORTED);
     assert_non_null(
         strstr(stltsa_last_error(), "second half of a cycle of motion A may not mirror the first"));
-    closed(w);
 }
 
-static void the_phase_of_another_clip_is_refused(void** state) {
-    (void)state;
+TEST(the_phase_of_another_clip_is_refused) {
     struct walk skeleton = walk_of(opened()), points = walk_of_points("Right", 0);
     stltsa_comparison* sides = NULL;
     assert_int_equal(stltsa_compare_left_right(skeleton.clip, points.phase, 0, 101, NULL, &sides),
@@ -236,12 +212,9 @@ static void the_phase_of_another_clip_is_refused(void** state) {
     assert_int_equal(stltsa_compare_left_right(points.clip, skeleton.phase, 0, 101, NULL, &sides),
                      STLTSA_E_ARGUMENT);
     assert_null(sides);
-    closed(skeleton);
-    closed(points);
 }
 
-static void names_say_the_side(void** state) {
-    (void)state;
+TEST(names_say_the_side) {
     static const struct {
         const char* name;
         int32_t side;

@@ -81,14 +81,10 @@ static inline stltsa_options* new_options(int64_t k, int64_t w, int64_t d) {
     return options;
 }
 
-/* Coordinates of a fit of one packed clip; frees the options. */
+/* Coordinates of a fit of one packed clip. */
 static inline double* fit_coords_with(stltsa_options* options, const double* x, int64_t rows,
                                       int64_t cols) {
-    stltsa_model* model = fitted_rows(x, rows, cols, options);
-    double* coords = array_of(model, STLTSA_INFO_COORDS);
-    stltsa_model_free(model);
-    stltsa_options_free(options);
-    return coords;
+    return array_of(fitted_rows(x, rows, cols, options), STLTSA_INFO_COORDS);
 }
 
 /* The same with k = w = 12. */
@@ -120,7 +116,6 @@ static inline double affine_misfit(const double* coords, int64_t d, const double
         }
         for (int64_t i = 0; i < rows; ++i)
             left += rest[i] * rest[i];
-        free(rest);
     }
     return sqrt(left / all);
 }

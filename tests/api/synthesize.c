@@ -4,8 +4,7 @@
 
 /* ---- Consecutive pieces ---- */
 
-static void units_give_the_clip_back(void** state) {
-    (void)state;
+TEST(units_give_the_clip_back) {
     stltsa_clip* clip = opened();
     stltsa_decomposition* d = decomposed(clip, NULL);
     stltsa_piece pieces[5];
@@ -23,15 +22,9 @@ static void units_give_the_clip_back(void** state) {
     assert_true(stltsa_clip_fps(again) == stltsa_clip_fps(clip));
     double *a = new_channels(clip), *b = new_channels(again);
     assert_same_bits(a, b, stltsa_clip_frames(clip) * int_of(clip, STLTSA_INFO_CHANNELS));
-    free(a);
-    free(b);
-    stltsa_synthesis_free(s);
-    stltsa_decomposition_free(d);
-    stltsa_clip_free(clip);
 }
 
-static void one_piece_is_its_frames(void** state) {
-    (void)state;
+TEST(one_piece_is_its_frames) {
     stltsa_clip* clip = opened();
     const stltsa_piece piece = {clip, 100, 101, 1, 0};
     stltsa_synthesis* s = made(&piece, 1, NULL);
@@ -39,16 +32,11 @@ static void one_piece_is_its_frames(void** state) {
     const int64_t channels = int_of(clip, STLTSA_INFO_CHANNELS);
     double *a = new_channels(clip), *b = new_channels(stltsa_synthesis_clip(s));
     assert_same_bits(a + 100 * channels, b, channels);
-    free(a);
-    free(b);
-    stltsa_synthesis_free(s);
-    stltsa_clip_free(clip);
 }
 
 /* ---- Joined clips ---- */
 
-static void walks_on_from_where_it_stood(void** state) {
-    (void)state;
+TEST(walks_on_from_where_it_stood) {
     struct figure there = usual_figure;
     there.turn = 130;
     there.x = 1000;
@@ -71,19 +59,11 @@ static void walks_on_from_where_it_stood(void** state) {
     const double way = (double)(seam.cut_end + 400 - seam.cut_begin) / 120 * 120;
     assert_below(fabs(x[(frames - 1) * joints * 3 + 2] - way), 8, "way");
     assert_below(fabs(x[(frames - 1) * joints * 3]), 1, "to the side");
-    free(x);
-    free(y);
-    free(source);
-    stltsa_synthesis_free(a);
-    stltsa_synthesis_free(b);
-    stltsa_clip_free(here);
-    stltsa_clip_free(far);
 }
 
 /* The beginning of a walk is not a fault of the seam, in any order: the livelier piece sets the
    scale. */
-static void seams_are_measured_by_the_livelier_piece(void** state) {
-    (void)state;
+TEST(seams_are_measured_by_the_livelier_piece) {
     struct figure standing = usual_figure;
     standing.still = 1;
     stltsa_clip *still = new_figure(standing), *walk = new_figure(usual_figure);
@@ -94,15 +74,10 @@ static void seams_are_measured_by_the_livelier_piece(void** state) {
         stltsa_synthesis* s = made(pieces, 2, options);
         assert_below(seam_at(s, 0).step, 1.5, "step");
         assert_below(seam_at(s, 0).acceleration, 5, "acceleration");
-        stltsa_synthesis_free(s);
     }
-    stltsa_options_free(options);
-    stltsa_clip_free(still);
-    stltsa_clip_free(walk);
 }
 
-static void other_rates_are_resampled(void** state) {
-    (void)state;
+TEST(other_rates_are_resampled) {
     struct figure slow = usual_figure;
     slow.fps = 60;
     slow.frames = 240;
@@ -121,18 +96,11 @@ static void other_rates_are_resampled(void** state) {
            *y = array_of(clip_b, STLTSA_INFO_POSITIONS);
     const int64_t count = stltsa_clip_frames(clip_a) * count_of(clip_a, STLTSA_INFO_JOINT) * 3;
     assert_below(largest_difference(x, y, count), 0.1, "resampled");
-    free(x);
-    free(y);
-    stltsa_synthesis_free(a);
-    stltsa_synthesis_free(b);
-    stltsa_clip_free(fast_clip);
-    stltsa_clip_free(slow_clip);
 }
 
 /* ---- Options ---- */
 
-static void no_search_cuts_where_the_pieces_end(void** state) {
-    (void)state;
+TEST(no_search_cuts_where_the_pieces_end) {
     stltsa_clip* clip = new_figure(usual_figure);
     stltsa_options* options = with(STLTSA_OPT_CUT_RANGE, 0);
     must(stltsa_options_set_real(options, STLTSA_OPT_CROSSFADE, 0.05));
@@ -144,13 +112,9 @@ static void no_search_cuts_where_the_pieces_end(void** state) {
     assert_true(join.piece == 0 && join.next == 1 && join.crossfade == 6);
     assert_true(loop.cut_end == 400 && loop.cut_begin == 100 && loop.frame == 580);
     assert_int_equal(stltsa_clip_frames(stltsa_synthesis_clip(s)), 880);
-    stltsa_synthesis_free(s);
-    stltsa_options_free(options);
-    stltsa_clip_free(clip);
 }
 
-static void where_the_clip_ends_nothing_is_blended(void** state) {
-    (void)state;
+TEST(where_the_clip_ends_nothing_is_blended) {
     stltsa_clip* clip = new_figure(usual_figure);
     stltsa_options* options = with(STLTSA_OPT_CUT_RANGE, 0);
     const stltsa_piece piece = {clip, 0, 480, 2, 0};
@@ -163,19 +127,13 @@ static void where_the_clip_ends_nothing_is_blended(void** state) {
     const int64_t joints = count_of(clip, STLTSA_INFO_JOINT);
     const double step = distance(x + 480 * joints * 3, x + 479 * joints * 3, floor_plane);
     assert_below(fabs(step - 1.3), 0.2, "step");
-    free(x);
-    stltsa_synthesis_free(s);
     /* No crossfade requested, no warning. */
     must(stltsa_options_set_real(options, STLTSA_OPT_CROSSFADE, 0));
     s = made(&piece, 1, options);
     assert_false(warnings_of(s, "blended"));
-    stltsa_synthesis_free(s);
-    stltsa_options_free(options);
-    stltsa_clip_free(clip);
 }
 
-static void short_pieces_keep_half_their_length(void** state) {
-    (void)state;
+TEST(short_pieces_keep_half_their_length) {
     stltsa_clip* clip = new_figure(usual_figure);
     stltsa_options* options = with(STLTSA_OPT_POSTURE_LIMIT, 0);
     must(stltsa_options_set_real(options, STLTSA_OPT_CUT_RANGE, 3));
@@ -196,10 +154,7 @@ static void short_pieces_keep_half_their_length(void** state) {
             assert_true(2 * (frame - before) >= length);
             before = frame;
         }
-        stltsa_synthesis_free(s);
     }
-    stltsa_options_free(options);
-    stltsa_clip_free(clip);
 }
 
 static int32_t refuse(void* user, int32_t stage, double fraction) {
@@ -207,8 +162,7 @@ static int32_t refuse(void* user, int32_t stage, double fraction) {
     return stage == *(int32_t*)user;
 }
 
-static void progress_can_cancel(void** state) {
-    (void)state;
+TEST(progress_can_cancel) {
     stltsa_clip* clip = new_figure(usual_figure);
     const stltsa_piece piece = {clip, 100, 220, 2, 0};
     for (int32_t stage = STLTSA_STAGE_FEATURES; stage <= STLTSA_STAGE_SYNTHESIS;
@@ -217,26 +171,18 @@ static void progress_can_cancel(void** state) {
         stltsa_synthesis* s = NULL;
         assert_int_equal(stltsa_synthesize(&piece, 1, options, &s), STLTSA_E_CANCELLED);
         assert_null(s);
-        stltsa_options_free(options);
     }
-    stltsa_clip_free(clip);
 }
 
 /* ---- Determinism ---- */
 
-static void the_same_bits_every_time(void** state) {
-    (void)state;
+TEST(the_same_bits_every_time) {
     stltsa_clip* clip = new_figure(usual_figure);
     const stltsa_piece pieces[] = {{clip, 0, 200, 1, 0}, {clip, 100, 220, 3, 0}};
     stltsa_synthesis *a = made(pieces, 2, NULL), *b = made(pieces, 2, NULL);
     const stltsa_clip* clip_a = stltsa_synthesis_clip(a);
     double *x = new_channels(clip_a), *y = new_channels(stltsa_synthesis_clip(b));
     assert_same_bits(x, y, stltsa_clip_frames(clip_a) * int_of(clip_a, STLTSA_INFO_CHANNELS));
-    free(x);
-    free(y);
-    stltsa_synthesis_free(a);
-    stltsa_synthesis_free(b);
-    stltsa_clip_free(clip);
 }
 
 int main(int argc, char** argv) {

@@ -11,11 +11,9 @@ static void refuses(const stltsa_clip* first, struct figure other, stltsa_status
     stltsa_synthesis* s = (stltsa_synthesis*)&pieces; /* must become NULL */
     must_fail(stltsa_synthesize(pieces, 2, NULL, &s), status, word);
     assert_null(s);
-    stltsa_clip_free(clip);
 }
 
-static void other_bodies_are_refused(void** state) {
-    (void)state;
+TEST(other_bodies_are_refused) {
     stltsa_clip* clip = new_figure(usual_figure);
     struct figure other = usual_figure;
     other.head = "Kopf";
@@ -30,7 +28,6 @@ static void other_bodies_are_refused(void** state) {
     const stltsa_piece pieces[] = {{clip, 0, 300, 1, 0}, {walker, 0, 300, 1, 0}};
     stltsa_synthesis* s = NULL;
     must_fail(stltsa_synthesize(pieces, 2, NULL, &s), STLTSA_E_UNSUPPORTED, "joints");
-    stltsa_clip_free(walker);
 
     other = usual_figure;
     other.arm_length = 30.1;
@@ -38,13 +35,9 @@ static void other_bodies_are_refused(void** state) {
     const stltsa_piece joined[] = {{clip, 0, 300, 1, 0}, {alike, 100, 400, 1, 0}};
     s = made(joined, 2, NULL);
     assert_true(warnings_of(s, "offsets"));
-    stltsa_synthesis_free(s);
-    stltsa_clip_free(alike);
-    stltsa_clip_free(clip);
 }
 
-static void no_common_posture_is_refused(void** state) {
-    (void)state;
+TEST(no_common_posture_is_refused) {
     stltsa_clip* clip = new_figure(usual_figure);
     struct figure other = usual_figure;
     other.arms = 90;
@@ -63,16 +56,10 @@ static void no_common_posture_is_refused(void** state) {
     const stltsa_seam seam = seam_at(s, 0);
     assert_true(isfinite(seam.posture) && isfinite(seam.step) && isfinite(seam.acceleration));
     assert_true(warnings_of(s, "as fast as"));
-    stltsa_synthesis_free(s);
     const stltsa_piece same[] = {{hanging, 0, 100, 1, 0}, {hanging, 200, 300, 1, 0}};
     s = made(same, 2, NULL);
     assert_below(seam_at(s, 0).posture, 1e-6, "posture");
     assert_below(seam_at(s, 0).step, 1e-6, "step");
-    stltsa_synthesis_free(s);
-    stltsa_options_free(options);
-    stltsa_clip_free(raised);
-    stltsa_clip_free(hanging);
-    stltsa_clip_free(clip);
 }
 
 /* ---- Wrong usage ---- */
@@ -84,8 +71,7 @@ static void wrong(const stltsa_piece* pieces, int64_t count, stltsa_status statu
     assert_null(s);
 }
 
-static void wrong_pieces(void** state) {
-    (void)state;
+TEST(wrong_pieces) {
     stltsa_clip* clip = new_figure(usual_figure);
     const stltsa_piece right = {clip, 0, 300, 1, 0};
     wrong(NULL, 1, STLTSA_E_ARGUMENT, "pieces is NULL");
@@ -114,9 +100,6 @@ static void wrong_pieces(void** state) {
     stltsa_clip* bare = matrix_clip(x, 100, 6, 30);
     const stltsa_piece numbers = {bare, 0, 100, 1, 0};
     wrong(&numbers, 1, STLTSA_E_UNSUPPORTED, "skeleton");
-    stltsa_clip_free(bare);
-    free(x);
-    stltsa_clip_free(clip);
 }
 
 int main(int argc, char** argv) {

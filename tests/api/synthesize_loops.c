@@ -2,8 +2,7 @@
 /* New motion from a repeated cycle. */
 #include "walking.h"
 
-static void a_cycle_four_times(void** state) {
-    (void)state;
+TEST(a_cycle_four_times) {
     stltsa_clip* clip = opened();
     const stltsa_part cycle = middle_cycle(clip);
     const int64_t length = cycle.end - cycle.begin;
@@ -29,12 +28,9 @@ static void a_cycle_four_times(void** state) {
     assert_int_equal(stltsa_clip_frames(stltsa_synthesis_clip(s)),
                      first.cut_end - cycle.begin + 2 * loop + cycle.end - first.cut_begin);
     assert_int_equal(count_of(s, STLTSA_INFO_WARNING), 0);
-    stltsa_synthesis_free(s);
-    stltsa_clip_free(clip);
 }
 
-static void every_joint_goes_on_and_bones_stay_rigid(void** state) {
-    (void)state;
+TEST(every_joint_goes_on_and_bones_stay_rigid) {
     stltsa_clip* clip = opened();
     const stltsa_part cycle = middle_cycle(clip);
     const stltsa_piece piece = {clip, cycle.begin, cycle.end, 4, 0};
@@ -61,14 +57,9 @@ static void every_joint_goes_on_and_bones_stay_rigid(void** state) {
     const double way = distance(source, a + cycle.end * joints * 3, floor_plane);
     assert_below(fabs(distance(b, b + (frames - 1) * joints * 3, floor_plane) / (4 * way) - 1),
                  0.02, "way");
-    free(a);
-    free(b);
-    stltsa_synthesis_free(s);
-    stltsa_clip_free(clip);
 }
 
-static void a_loop_goes_on_from_and_into_its_neighbors(void** state) {
-    (void)state;
+TEST(a_loop_goes_on_from_and_into_its_neighbors) {
     stltsa_clip* clip = opened();
     const stltsa_part cycle = middle_cycle(clip);
     const int64_t n = stltsa_clip_frames(clip), channels = int_of(clip, STLTSA_INFO_CHANNELS);
@@ -88,14 +79,9 @@ static void a_loop_goes_on_from_and_into_its_neighbors(void** state) {
     for (int64_t i = 1; i <= tail; ++i)
         assert_same_bits(a + (n - i) * channels + 6, b + (frames - i) * channels + 6, channels - 6);
     assert_int_equal(n - tail, last.cut_begin + last.crossfade);
-    free(a);
-    free(b);
-    stltsa_synthesis_free(s);
-    stltsa_clip_free(clip);
 }
 
-static void half_a_cycle_too_much_is_refused(void** state) {
-    (void)state;
+TEST(half_a_cycle_too_much_is_refused) {
     stltsa_clip* clip = opened();
     const stltsa_part cycle = middle_cycle(clip);
     const int64_t half = (cycle.end - cycle.begin) / 2;
@@ -109,14 +95,10 @@ static void half_a_cycle_too_much_is_refused(void** state) {
     s = made(&piece, 1, options);
     assert_true(seam_at(s, 0).posture > 3);
     assert_true(warnings_of(s, "times as much as those of repetitions"));
-    stltsa_synthesis_free(s);
-    stltsa_options_free(options);
-    stltsa_clip_free(clip);
 }
 
 /* Every seam of a loop has the same cuts, so facts about one hold for all. */
-static void warnings_are_given_once(void** state) {
-    (void)state;
+TEST(warnings_are_given_once) {
     stltsa_clip* clip = opened();
     const stltsa_part cycle = middle_cycle(clip);
     const int64_t half = (cycle.end - cycle.begin) / 2;
@@ -125,27 +107,21 @@ static void warnings_are_given_once(void** state) {
     stltsa_synthesis* s = made(&piece, 1, options);
     const int64_t count = count_of(s, STLTSA_INFO_WARNING);
     assert_true(count > 0 && !warnings_of(s, "more like it"));
-    stltsa_synthesis_free(s);
     piece.repeat = 20;
     s = made(&piece, 1, options);
     assert_int_equal(count_of(s, STLTSA_INFO_WARNING), count);
     assert_true(warnings_of(s, "(and 18 more like it)"));
-    stltsa_synthesis_free(s);
-    stltsa_options_free(options);
-    stltsa_clip_free(clip);
 }
 
 static stltsa_synthesis* made_of_cycles(const stltsa_clip* clip, const stltsa_options* options) {
     stltsa_decomposition* d = decomposed(clip, NULL);
     stltsa_synthesis* s = NULL;
     must(stltsa_synthesize_loop(clip, d, options, &s));
-    stltsa_decomposition_free(d);
-    return s;
+    return keep_synthesis(s);
 }
 
 /* All three cycles; the travel is that of the clip between the cuts. */
-static void the_loop_of_a_clip(void** state) {
-    (void)state;
+TEST(the_loop_of_a_clip) {
     stltsa_clip* clip = opened();
     stltsa_synthesis* s = made_of_cycles(clip, NULL);
     assert_int_equal(int_of(s, STLTSA_INFO_LOOP), 1);
@@ -168,14 +144,10 @@ static void the_loop_of_a_clip(void** state) {
                      1, "difference of the travel");
     assert_true(get_real(stltsa_synthesis_info(s), STLTSA_INFO_TRAVEL, 1) == 0);
     assert_below(fabs(real_of(s, STLTSA_INFO_TURN)), 0.1, "turn");
-    free(source);
-    stltsa_synthesis_free(s);
-    stltsa_clip_free(clip);
 }
 
 /* Where the first frame follows the last, no joint moves further than elsewhere. */
-static void a_loop_in_place_ends_where_it_starts(void** state) {
-    (void)state;
+TEST(a_loop_in_place_ends_where_it_starts) {
     stltsa_clip* clip = opened();
     stltsa_options* options = with_int(STLTSA_OPT_IN_PLACE, 1);
     stltsa_synthesis* s = made_of_cycles(clip, options);
@@ -195,14 +167,9 @@ static void a_loop_in_place_ends_where_it_starts(void** state) {
                                        positions + (i * joints + j) * 3, space));
         assert_below(step, 1.02 * most + 1e-9, "step");
     }
-    free(positions);
-    stltsa_synthesis_free(s);
-    stltsa_options_free(options);
-    stltsa_clip_free(clip);
 }
 
-static void what_is_no_loop_is_refused(void** state) {
-    (void)state;
+TEST(what_is_no_loop_is_refused) {
     stltsa_clip* clip = opened();
     stltsa_options* options = with_int(STLTSA_OPT_IN_PLACE, 1);
     const stltsa_piece piece = {clip, 0, 100, 1, 0};
@@ -217,15 +184,10 @@ static void what_is_no_loop_is_refused(void** state) {
     stltsa_clip* other = new_figure(brief);
     must_fail(stltsa_synthesize_loop(other, d, NULL, &s), STLTSA_E_ARGUMENT, "another clip");
     assert_null(s);
-    stltsa_clip_free(other);
-    stltsa_decomposition_free(d);
-    stltsa_options_free(options);
-    stltsa_clip_free(clip);
 }
 
 /* A step and a half: the whole clip, whose ends do not meet. */
-static void without_cycles_the_ends_must_meet(void** state) {
-    (void)state;
+TEST(without_cycles_the_ends_must_meet) {
     struct figure brief = usual_figure;
     brief.frames = 90;
     stltsa_clip* clip = new_figure(brief);
@@ -239,9 +201,6 @@ static void without_cycles_the_ends_must_meet(void** state) {
     assert_int_equal(int_of(s, STLTSA_INFO_LOOP), 1);
     assert_int_equal(count_of(s, STLTSA_INFO_LOOP_CYCLES), 0);
     stltsa_synthesis_free(s);
-    stltsa_options_free(options);
-    stltsa_decomposition_free(d);
-    stltsa_clip_free(clip);
 }
 
 int main(int argc, char** argv) {

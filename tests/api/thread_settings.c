@@ -12,6 +12,7 @@ enum { rows = 600, cols = 12, d = 2 };
 
 /* Functions of the libraries that this process loaded; NULL without that library. */
 static int (*get_blas_threads)(void), (*get_omp_levels)(void), (*get_omp_threads)(void);
+
 static void (*set_blas_threads)(int), (*set_omp_levels)(int), (*set_omp_threads)(int);
 
 static int find_functions(void** state) {
@@ -51,8 +52,7 @@ static stltsa_status fit(const double* x, int64_t mode, struct progress* progres
 }
 
 /* Threads of a team of OpenMP remain after it ends. */
-static void no_team_of_openmp(void** state) {
-    (void)state;
+TEST(no_team_of_openmp) {
     double* x = new_motion(rows, cols, 28);
     const int before = count_threads();
     for (int m = 0; m < 3; ++m) {
@@ -61,7 +61,6 @@ static void no_team_of_openmp(void** state) {
         assert_int_equal(progress.most_threads, before);
         assert_int_equal(count_threads(), before);
     }
-    free(x);
 }
 
 enum { blas_threads = 2, omp_levels = 3, omp_threads = 5 };
@@ -85,8 +84,7 @@ static void check_all(void) {
 }
 
 /* Cancels at the first callback, then at the second, and so on, until the fit succeeds. */
-static void settings_remain_if_cancelled(void** state) {
-    (void)state;
+TEST(settings_remain_if_cancelled) {
     double* x = new_motion(rows, cols, 28);
     set_all();
     for (int m = 0; m < 3; ++m) {
@@ -98,12 +96,10 @@ static void settings_remain_if_cancelled(void** state) {
         }
         must(status);
     }
-    free(x);
 }
 
 /* Also if the library is linked with -lblas and OpenBLAS is what this process loaded. */
-static void openblas_has_one_thread_during_a_fit(void** state) {
-    (void)state;
+TEST(openblas_has_one_thread_during_a_fit) {
     double* x = new_motion(rows, cols, 28);
     assert_int_equal(stltsa_has(STLTSA_HAS_OPENBLAS), get_blas_threads != NULL);
     set_all();
@@ -112,11 +108,9 @@ static void openblas_has_one_thread_during_a_fit(void** state) {
         must(fit(x, all_modes[m], &progress));
         assert_int_equal(progress.most_blas_threads, get_blas_threads != NULL);
     }
-    free(x);
 }
 
-static void settings_remain_after_an_error(void** state) {
-    (void)state;
+TEST(settings_remain_after_an_error) {
     double* x = new_motion(rows, cols, 28);
     set_all();
     x[rows * cols / 2] = NAN;
@@ -125,12 +119,10 @@ static void settings_remain_after_an_error(void** state) {
         assert_int_equal(fit(x, all_modes[m], &progress), STLTSA_E_NOT_FINITE);
         check_all();
     }
-    free(x);
 }
 
 /* Two groups of rows far from each other have no common coordinates: an error late in the fit. */
-static void settings_remain_if_rows_are_disconnected(void** state) {
-    (void)state;
+TEST(settings_remain_if_rows_are_disconnected) {
     double* x = new_motion(rows, cols, 28);
     for (int i = 0; i < rows / 2 * cols; ++i)
         x[i] += 1e3;
@@ -149,8 +141,6 @@ static void settings_remain_if_rows_are_disconnected(void** state) {
                      STLTSA_E_DISCONNECTED);
     check_all();
     stltsa_model_free(model);
-    stltsa_options_free(options);
-    free(x);
 }
 
 int main(void) {

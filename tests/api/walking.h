@@ -19,15 +19,12 @@ static inline stltsa_synthesis* made(const stltsa_piece* pieces, int64_t count,
                                      const stltsa_options* options) {
     stltsa_synthesis* synthesis = NULL;
     must(stltsa_synthesize(pieces, count, options, &synthesis));
-    return synthesis;
+    return keep_synthesis(synthesis);
 }
 
 /* The second of the walker's three cycles. */
 static inline stltsa_part middle_cycle(const stltsa_clip* clip) {
-    stltsa_decomposition* d = decomposed(clip, NULL);
-    const stltsa_part cycle = cycle_at(d, 1);
-    stltsa_decomposition_free(d);
-    return cycle;
+    return cycle_at(decomposed(clip, NULL), 1);
 }
 
 /* Largest step of a joint on the floor from frame to frame. */
@@ -107,7 +104,7 @@ static inline stltsa_clip* new_figure(struct figure f) {
     stltsa_clip* clip = NULL;
     must(stltsa_clip_parse(text, (size_t)at, STLTSA_FORMAT_BVH, NULL, NULL, &clip));
     free(text);
-    return clip;
+    return keep_clip(clip);
 }
 
 #endif

@@ -74,20 +74,21 @@ Fitted fit(const Frames& frames, std::int32_t mode, std::size_t k, std::size_t w
     must(stltsa_fit(&in, nullptr, options.get(), &raw));
     const Model model(raw);
 
-    std::int64_t components = 0;
-    must(stltsa_info_int(stltsa_model_info(raw), STLTSA_INFO_COMPONENTS, 0, &components));
+    const stltsa_info* info = stltsa_model_info(raw);
+    const std::int64_t components = stltsa_info_count(info, STLTSA_INFO_COMPONENT);
     if (components != 1)
         throw std::runtime_error("the library sees " + std::to_string(components) +
                                  " components where the reference sees one");
+    stltsa_component component{};
+    must(stltsa_info_rows(info, STLTSA_INFO_COMPONENT, 0, 1, &component, sizeof component));
     Fitted result;
-    must(stltsa_info_real(stltsa_model_info(raw), STLTSA_INFO_ERROR_ESTIMATE, 0,
-                          &result.error_estimate));
+    result.error_estimate = component.error_estimate_rad;
     result.coords = Table<double>(d, frames.rows);
     const stltsa_out coords = transposed(result.coords);
-    must(stltsa_model_coords(raw, &coords));
+    must(stltsa_info_array(info, STLTSA_INFO_COORDS, 0, &coords));
     Table<double> values(1, d + 2);
     const stltsa_out eigenvalues = packed(values);
-    must(stltsa_model_eigenvalues(raw, &eigenvalues));
+    must(stltsa_info_array(info, STLTSA_INFO_EIGENVALUES, 0, &eigenvalues));
     result.eigenvalues = values.values;
     return result;
 }

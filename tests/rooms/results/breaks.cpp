@@ -43,7 +43,7 @@ clip::PrepareOptions plain() {
 
 Fitted fitted(results::Clips clips, const results::FitOptions& options = {}) {
     results::ClipSamples prepared = results::prepare_clips(clips, plain(), {});
-    return results::fit(prepared.samples.view(), prepared.lengths, options,
+    return results::fit(prepared.samples.view(), prepared.lengths, options, {},
                         std::move(prepared.source), {});
 }
 
