@@ -2,7 +2,9 @@
 """The axes agree with the results."""
 
 import itertools
+import re
 import subprocess
+import xml.etree.ElementTree as ET
 
 import numpy as np
 import pytest
@@ -222,6 +224,29 @@ def test_at_most_60_cycles_are_overlaid(tmp_path):
     *each, mean = [line.get_ydata() for line in stltsa.plot.cycles(result).lines]
     assert (len(result.cycle_list), len(each)) == (70, 60)
     assert len(mean) == len(each[0])
+
+
+def test_far_limbs_of_the_figure_are_left(result, tmp_path):
+    """A walk is seen from its right: the gray foot is in front where the left one is."""
+    result.report(tmp_path / "x.svg")
+    groups = [e for e in ET.parse(tmp_path / "x.svg").iter() if e.get("class") == "posture"]
+    positions = result.clip.positions
+    left, right = (result.clip.joints.index(side + "Foot") for side in ("Left", "Right"))
+    way = positions[-1, 0] - positions[0, 0]
+    seen = 0
+    for group in groups:
+        frame = positions[int(group.get("data-frame"))]
+        ahead = (frame[left] - frame[right]) @ way / np.linalg.norm(way)
+        if abs(ahead) < 0.2 * np.ptp(frame[:, 1]):
+            continue
+        feet = {}
+        for path in group:
+            if path.get("d"):
+                points = re.findall(r"[ML]([-\d.]+) ([-\d.]+)", path.get("d"))
+                feet[path.get("stroke")] = max((float(y), float(x)) for x, y in points)[1]
+        assert (feet["#a0a0a0"] - feet["#222222"]) * ahead > 0
+        seen += 1
+    assert seen > 2
 
 
 def test_given_axes_are_used(result):

@@ -18,8 +18,11 @@ std::vector<double> ticks(const Scale& scale, int most) {
     return found;
 }
 
-const std::string tick_line = stroke("tick-line", ink, fine_line);
-const std::string tick_text = fill("tick", ink, 1, format_text(" font-size=\"{}\"", small_font));
+void draw_tick(Svg& svg, Point from, Point to, Point at, const char* anchor, double value) {
+    svg.line(from, to, stroke("tick-line", ink, fine_line));
+    svg.text(at, anchor, format_text("{:g}", value),
+             fill("tick", ink, 1, format_text(" font-size=\"{}\"", small_font)));
+}
 
 } // namespace
 
@@ -63,18 +66,16 @@ void draw_frame(Svg& svg, const Rect& frame) {
 
 void draw_x_axis(Svg& svg, const Rect& frame, const Scale& x, std::string_view title) {
     const double bottom = frame.bottom();
-    for (const double value : ticks(x, static_cast<int>(frame.width / 50))) {
-        svg.line({x(value), bottom}, {x(value), bottom + 4}, tick_line);
-        svg.text({x(value), bottom + 15}, "middle", format_text("{:g}", value), tick_text);
-    }
+    for (const double value : ticks(x, static_cast<int>(frame.width / 50)))
+        draw_tick(svg, {x(value), bottom}, {x(value), bottom + 4}, {x(value), bottom + 15},
+                  "middle", value);
     svg.text({x.middle(), bottom + 28}, "middle", title, fill("axis-title", ink));
 }
 
 void draw_y_axis(Svg& svg, const Rect& frame, const Scale& y) {
-    for (const double value : ticks(y, 5)) {
-        svg.line({frame.x - 4, y(value)}, {frame.x, y(value)}, tick_line);
-        svg.text({frame.x - 6, y(value) + 3.5}, "end", format_text("{:g}", value), tick_text);
-    }
+    for (const double value : ticks(y, 5))
+        draw_tick(svg, {frame.x - 4, y(value)}, {frame.x, y(value)}, {frame.x - 6, y(value) + 3.5},
+                  "end", value);
     draw_upward(svg, {frame.x - 36, y.middle()}, "motion coordinate");
 }
 
