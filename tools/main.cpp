@@ -53,6 +53,7 @@ int main(int argc, char** argv) {
     bool colors = true;
     try {
         watch_interrupt();
+        const Interruptible waits;
         std::signal(SIGPIPE, SIG_IGN); // a closed pipe is a failed write, with its message
         const Arguments arguments = parse_arguments(argc, argv);
         colors = !arguments.no_color;

@@ -9,7 +9,6 @@
 #include <limits>
 #include <mutex>
 #include <thread>
-#include <utility>
 
 namespace stltsa {
 namespace {
@@ -20,9 +19,8 @@ struct LoopStopped {};
 /// The state that all threads of a loop share.
 class BlockQueue {
   public:
-    BlockQueue(std::int64_t blocks, const std::function<void(std::int64_t)>& body,
-               const std::function<void(std::int64_t)>& poll)
-        : blocks_(blocks), body_(body), poll_(poll) {}
+    BlockQueue(std::int64_t blocks, const std::function<void(std::int64_t)>& body)
+        : blocks_(blocks), body_(body) {}
 
     /// Runs the next block; false if none is left.
     bool run_one() {
@@ -34,15 +32,15 @@ class BlockQueue {
         try {
             body_(block);
             done_.fetch_add(1);
-        } catch (const LoopStopped&) { // the poll's exception is recorded
+        } catch (const LoopStopped&) { // the checkpoint's exception is recorded
         } catch (...) {
             record(block, std::current_exception());
         }
         return true;
     }
 
-    /// Keeps the exception of the lowest block that failed, whichever failed first; block -1 is the
-    /// poll.
+    /// Keeps the exception of the lowest block that failed, whichever failed first; block -1 is a
+    /// checkpoint.
     void record(std::int64_t block, std::exception_ptr error) {
         const std::lock_guard lock(mutex_);
         if (block < error_block_) {
@@ -52,20 +50,24 @@ class BlockQueue {
         stopped_.store(true);
     }
 
-    /// Called on the caller's thread. If it throws, the loop stops, and so does each block that
-    /// polls.
-    void poll() {
-        if (!poll_ || polled_out())
+    /// Called on the caller's thread. If it throws, the loop stops, and so does each block at its
+    /// next checkpoint.
+    void check(Checkpoints* outer) {
+        if (outer == nullptr || cancelled())
             return;
         try {
-            poll_(done_.load());
+            outer->check();
         } catch (...) {
-            polled_out_.store(true);
+            cancelled_.store(true);
             record(-1, std::current_exception());
         }
     }
 
-    bool polled_out() const { return polled_out_.load(); }
+    bool cancelled() const { return cancelled_.load(); }
+    double done() const {
+        return static_cast<double>(done_.load()) /
+               static_cast<double>(std::max<std::int64_t>(1, blocks_));
+    }
     void rethrow() const {
         if (error_)
             std::rethrow_exception(error_);
@@ -74,41 +76,37 @@ class BlockQueue {
   private:
     const std::int64_t blocks_;
     const std::function<void(std::int64_t)>& body_;
-    const std::function<void(std::int64_t)>& poll_;
     std::atomic<std::int64_t> next_{0};
     std::atomic<std::int64_t> done_{0};
     std::atomic<bool> stopped_{false};
-    std::atomic<bool> polled_out_{false};
+    std::atomic<bool> cancelled_{false};
     std::mutex mutex_;
     std::int64_t error_block_ = std::numeric_limits<std::int64_t>::max();
     std::exception_ptr error_;
 };
 
-/// The innermost loop of this thread.
-class CurrentLoop;
-thread_local const CurrentLoop* current_loop = nullptr;
-
-/// Sets it during its lifetime.
-class CurrentLoop {
+/// Answers the checkpoints of one thread of a loop.
+class LoopCheckpoints final : public Checkpoints {
   public:
     /// `leads`: this thread called parallel_blocks().
-    CurrentLoop(BlockQueue& queue, bool leads)
-        : queue_(queue), leads_(leads), outer_(std::exchange(current_loop, this)) {}
-    ~CurrentLoop() { current_loop = outer_; }
-    CurrentLoop(const CurrentLoop&) = delete;
-    CurrentLoop& operator=(const CurrentLoop&) = delete;
+    LoopCheckpoints(BlockQueue& queue, bool leads)
+        : Checkpoints(true), queue_(queue), leads_(leads) {}
 
-    void poll() const {
+    void check() override {
         if (leads_)
-            queue_.poll();
-        if (queue_.polled_out())
+            queue_.check(outer());
+        if (queue_.cancelled())
             throw LoopStopped();
+    }
+    /// Between two blocks.
+    void report(Stage stage) {
+        Call::reach(stage, queue_.done());
+        queue_.check(outer());
     }
 
   private:
     BlockQueue& queue_;
     bool leads_;
-    const CurrentLoop* outer_;
 };
 
 } // namespace
@@ -125,23 +123,23 @@ int thread_count(std::optional<std::int64_t> requested) {
 }
 
 void parallel_blocks(std::int64_t blocks, int threads,
-                     const std::function<void(std::int64_t)>& body,
-                     const std::function<void(std::int64_t)>& poll) {
-    BlockQueue queue(blocks, body, poll);
+                     const std::function<void(std::int64_t)>& body, std::optional<Stage> stage) {
+    BlockQueue queue(blocks, body);
     const auto help = [&queue] {
-        const CurrentLoop current(queue, false);
+        const LoopCheckpoints checkpoints(queue, false);
         while (queue.run_one()) {
         }
     };
-    const auto lead = [&queue] {
-        const CurrentLoop current(queue, true);
-        bool polled = false;
-        while (queue.run_one()) {
-            queue.poll();
-            polled = true;
-        }
-        if (!polled) // the other threads took all blocks
-            queue.poll();
+    const auto lead = [&queue, stage] {
+        LoopCheckpoints checkpoints(queue, true);
+        bool reported = !stage;
+        while (queue.run_one())
+            if (stage) {
+                checkpoints.report(*stage);
+                reported = true;
+            }
+        if (!reported) // the other threads took all blocks
+            checkpoints.report(*stage);
     };
     const std::int64_t helpers = std::min<std::int64_t>(threads, blocks) - 1;
     if (helpers < 1)
@@ -151,11 +149,6 @@ void parallel_blocks(std::int64_t blocks, int threads,
     else
         ThreadPool().run(helpers, help, lead);
     queue.rethrow();
-}
-
-void poll_within_block() {
-    if (current_loop != nullptr)
-        current_loop->poll();
 }
 
 namespace {

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "base/progress.hpp"
 #include "base/thread_pool.hpp"
 
 namespace stltsa {
@@ -15,17 +16,14 @@ namespace stltsa {
 /// Threads to use: as many as requested, else one for each core that this process may run on.
 int thread_count(std::optional<std::int64_t> requested);
 
-/// Runs body(block) for block = 0 .. blocks-1 on up to `threads` threads. `poll(done)` is called on
-/// the caller's thread as blocks finish, at least once, and may throw to stop early. The first
-/// exception (lowest block) is rethrown on the caller's thread after every worker has stopped.
+/// Runs body(block) for block = 0 .. blocks-1 on up to `threads` threads. With a stage, its
+/// progress is reported on the caller's thread as blocks finish, at least once. The first exception
+/// (lowest block, but that of a checkpoint before all others) is rethrown on the caller's thread
+/// after every worker has stopped. Long blocks may call checkpoint(), also on the other threads: if
+/// the loop is cancelled, it ends the block by an exception, which must reach parallel_blocks().
 void parallel_blocks(std::int64_t blocks, int threads,
                      const std::function<void(std::int64_t block)>& body,
-                     const std::function<void(std::int64_t done)>& poll = {});
-
-/// For long blocks: polls if this thread called parallel_blocks(). If a poll has stopped the loop,
-/// ends the block by an exception, which must reach parallel_blocks(). Outside a loop it has no
-/// effect.
-void poll_within_block();
+                     std::optional<Stage> stage = {});
 
 /// During its lifetime the parallel loops of the thread that made it share their threads, which
 /// start with the first loop that needs them. A nested one has no effect.

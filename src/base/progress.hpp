@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Progress and cancellation, polled on the caller's thread between blocks of work.
+// Progress, and cancellation by the program that called the library, on its own thread.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <utility>
 
+#include "base/checkpoint.hpp"
 #include "base/error.hpp"
 
 namespace stltsa {
@@ -26,75 +27,101 @@ enum class Stage : std::int32_t {
     write = 10,
 };
 
-class Progress {
+/// A call of the library. A progress callback may call the library again.
+class Call final : public Checkpoints {
   public:
     using Callback = std::int32_t (*)(void* user, std::int32_t stage, double fraction);
 
-    Progress() = default;
-    Progress(Callback callback, void* user) : callback_(callback), user_(user) {}
+    struct Asked {
+        Callback callback = nullptr;
+        void* user = nullptr;
+    };
 
-    /// Progress of part `index` of `count` equal parts of each stage.
-    Progress part(std::int64_t index, std::int64_t count) const {
-        Progress part = *this;
-        part.share_ = share_ / static_cast<double>(count);
-        part.begin_ = begin_ + part.share_ * static_cast<double>(index);
-        return part;
+    /// `asked`: none if the function takes no options, so that nobody can cancel it.
+    explicit Call(const std::optional<Asked>& asked)
+        : Checkpoints(asked.has_value()), asked_(asked.value_or(Asked())),
+          outer_call_(std::exchange(current_, this)) {
+        count_again(); // equal calls ask equally often
     }
+    ~Call() { current_ = outer_call_; }
 
-    /// Progress of work that is a small step of a later stage: reports that stage instead of its
-    /// own. The stage spectrum is not reported, because the callback must not fit during it, but
-    /// may during the stage that is reported.
-    Progress within(Stage stage, double fraction) const {
-        Progress part = *this;
-        if (!outer_)
-            part.outer_ = Reached{stage, begin_ + share_ * fraction};
-        return part;
-    }
-
-    /// Reports the progress of a stage to the caller; throws Status::cancelled if the callback
-    /// returns nonzero.
-    void report(Stage stage, double fraction) const {
-        if (callback_ == nullptr || (outer_ && stage == Stage::spectrum))
+    /// Calls back; throws Status::cancelled if the callback returns nonzero.
+    void check() override {
+        if (asked_.callback == nullptr || (only_ && *only_ != furthest_.first))
             return;
-        const Reached shown = outer_.value_or(Reached{stage, begin_ + share_ * fraction});
-        if (callback_(user_, static_cast<std::int32_t>(shown.stage), shown.fraction) != 0)
+        if (asked_.callback(asked_.user, static_cast<std::int32_t>(furthest_.first),
+                            furthest_.second) != 0)
             fail(Status::cancelled, "cancelled by the progress callback");
     }
 
-  private:
-    struct Reached {
-        Stage stage;
-        double fraction;
-    };
-
-    Callback callback_ = nullptr;
-    void* user_ = nullptr;
-    double begin_ = 0; ///< first fraction of the part
-    double share_ = 1;
-    std::optional<Reached> outer_; ///< reported instead of the given stage and fraction
-};
-
-/// Polls after each fixed amount of work. For loops whose steps are short or long, depending on the
-/// clip.
-class PacedPoll {
-  public:
-    explicit PacedPoll(std::function<void()> poll) : poll_(std::move(poll)) {}
-    PacedPoll(const Progress& progress, Stage stage, double fraction = 0)
-        : poll_([=] { progress.report(stage, fraction); }) {}
-
-    /// Counts numbers that were read or computed.
-    void did(std::int64_t numbers) {
-        constexpr std::int64_t between_polls = 1 << 22; // some milliseconds
-        done_ += numbers;
-        if (done_ < between_polls || !poll_)
-            return;
-        done_ = 0;
-        poll_();
+    /// For later checkpoints. What the caller sees never decreases.
+    static void reach(Stage stage, double fraction) {
+        if (current_ != nullptr)
+            current_->furthest_ = std::max(current_->furthest_,
+                                           {stage, current_->begin_ + current_->share_ * fraction});
     }
 
   private:
-    std::function<void()> poll_;
-    std::int64_t done_ = 0;
+    friend class PartOfStages;
+    friend class OnlyInStage;
+    static inline constinit thread_local Call* current_ = nullptr;
+
+    Asked asked_;
+    Call* outer_call_;
+    std::pair<Stage, double> furthest_{Stage::read, 0};
+    double begin_ = 0; ///< first fraction of the part
+    double share_ = 1;
+    std::optional<Stage> only_;
 };
+
+/// During its lifetime, stages have part `index` of `count` equal parts of their fractions.
+class PartOfStages {
+  public:
+    PartOfStages(std::int64_t index, std::int64_t count) {
+        if (call_ == nullptr)
+            return;
+        begin_ = call_->begin_;
+        share_ = call_->share_;
+        call_->share_ = share_ / static_cast<double>(count);
+        call_->begin_ = begin_ + call_->share_ * static_cast<double>(index);
+    }
+    ~PartOfStages() {
+        if (call_ == nullptr)
+            return;
+        call_->begin_ = begin_;
+        call_->share_ = share_;
+    }
+    PartOfStages(const PartOfStages&) = delete;
+    PartOfStages& operator=(const PartOfStages&) = delete;
+
+  private:
+    Call* call_ = Call::current_;
+    double begin_ = 0, share_ = 1; ///< of the call before
+};
+
+/// During its lifetime, the callback is called only if it sees this stage.
+class OnlyInStage {
+  public:
+    explicit OnlyInStage(Stage stage) {
+        if (call_ != nullptr)
+            before_ = std::exchange(call_->only_, stage);
+    }
+    ~OnlyInStage() {
+        if (call_ != nullptr)
+            call_->only_ = before_;
+    }
+    OnlyInStage(const OnlyInStage&) = delete;
+    OnlyInStage& operator=(const OnlyInStage&) = delete;
+
+  private:
+    Call* call_ = Call::current_;
+    std::optional<Stage> before_;
+};
+
+/// A checkpoint at which `fraction` of a stage is done.
+inline void report_progress(Stage stage, double fraction) {
+    Call::reach(stage, fraction);
+    checkpoint();
+}
 
 } // namespace stltsa

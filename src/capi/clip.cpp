@@ -3,6 +3,7 @@
 #include <memory>
 #include <string_view>
 
+#include "base/progress.hpp"
 #include "capi/boundary/arrays.hpp"
 #include "capi/boundary/guard.hpp"
 #include "capi/boundary/structs.hpp"
@@ -48,8 +49,7 @@ std::vector<clip::Frames> find(const clip::Clip& clip, const std::string& what,
         fail(Status::argument, "{} is no stretch of a clip: there are {}", clip::in_quotes(what),
              clip::stretch_forms);
     return results::find_stretches(clip, *stretch, [&] {
-        return results::decompose(clip, reader.prepare_options(), reader.decompose_options(),
-                                  reader.progress());
+        return results::decompose(clip, reader.prepare_options(), reader.decompose_options());
     });
 }
 
@@ -107,45 +107,45 @@ clip::Format format_of(int32_t format, std::string_view bytes) {
 
 stltsa_status stltsa_clip_open(const char* path, const stltsa_options* options,
                                stltsa_clip** clip) noexcept {
-    return compute([&] {
+    return compute(options, [&] {
         required(clip, "clip") = nullptr;
         const capi::OptionsReader reader(options);
-        reader.progress().report(Stage::read, 0);
+        report_progress(Stage::read, 0);
         auto made = std::make_unique<stltsa_clip>(
             clip::read(&required(path, "path"), reader.read_options()));
-        reader.progress().report(Stage::read, 1);
+        report_progress(Stage::read, 1);
         *clip = made.release();
     });
 }
 
 stltsa_status stltsa_clip_open_stretch(const char* text, const stltsa_options* options,
                                        stltsa_clip** clip) noexcept {
-    return compute([&] {
+    return compute(options, [&] {
         required(clip, "clip") = nullptr;
         const capi::OptionsReader reader(options);
-        reader.progress().report(Stage::read, 0);
+        report_progress(Stage::read, 0);
         auto made = read_stretch(&required(text, "text"), reader);
-        reader.progress().report(Stage::read, 1);
+        report_progress(Stage::read, 1);
         *clip = made.release();
     });
 }
 
 stltsa_status stltsa_clip_parse(const void* bytes, size_t size, int32_t format, const char* name,
                                 const stltsa_options* options, stltsa_clip** clip) noexcept {
-    return guard([&] {
+    return guard(options, [&] {
         required(clip, "clip") = nullptr;
         const auto* text = static_cast<const char*>(bytes);
         if (size > 0)
             required(text, "bytes");
         const std::string_view all(text, size);
         const capi::OptionsReader reader(options);
-        reader.progress().report(Stage::read, 0);
+        report_progress(Stage::read, 0);
         const std::string path = name == nullptr ? "" : name;
         clip::Clip whole = clip::parse(all, format_of(format, all), path.empty() ? "memory" : path,
                                        reader.read_options());
         whole.path = path;
         auto made = std::make_unique<stltsa_clip>(std::move(whole));
-        reader.progress().report(Stage::read, 1);
+        report_progress(Stage::read, 1);
         *clip = made.release();
     });
 }
@@ -167,7 +167,7 @@ stltsa_status stltsa_clip_from_matrix(const stltsa_in* frames, double fps,
 
 stltsa_status stltsa_clip_stretch(const stltsa_clip* clip, const char* what,
                                   const stltsa_options* options, stltsa_clip** stretch) noexcept {
-    return compute([&] {
+    return compute(options, [&] {
         required(stretch, "stretch") = nullptr;
         const stltsa_clip& whole = required(clip, "clip");
         const std::string typed = &required(what, "what");
@@ -181,7 +181,7 @@ stltsa_status stltsa_clip_set_path(stltsa_clip* clip, const char* path) noexcept
 
 stltsa_status stltsa_clip_mirror(const stltsa_clip* clip, const stltsa_options* options,
                                  stltsa_clip** mirrored) noexcept {
-    return guard([&] {
+    return guard(options, [&] {
         required(mirrored, "mirrored") = nullptr;
         auto made = std::make_unique<stltsa_clip>(clip::mirrored(
             required(clip, "clip").clip, capi::OptionsReader(options).prepare_options().up));
@@ -192,7 +192,7 @@ stltsa_status stltsa_clip_mirror(const stltsa_clip* clip, const stltsa_options* 
 stltsa_status stltsa_clip_find(const stltsa_clip* clip, const char* what,
                                const stltsa_options* options, int64_t capacity,
                                stltsa_interval* intervals, int64_t* count) noexcept {
-    return compute([&] {
+    return compute(options, [&] {
         required(count, "count") = 0;
         const clip::Clip& whole = required(clip, "clip").clip;
         const auto found = find(whole, &required(what, "what"), capi::OptionsReader(options));
@@ -222,7 +222,7 @@ double stltsa_clip_fps(const stltsa_clip* clip) noexcept {
 
 stltsa_status stltsa_clip_feature_count(const stltsa_clip* clip, const stltsa_options* options,
                                         int64_t* count) noexcept {
-    return compute([&] {
+    return compute(options, [&] {
         const auto prepare = capi::OptionsReader(options).prepare_options();
         required(count, "count") =
             clip::feature_count(required(clip, "clip").clip, prepare.features);
@@ -231,7 +231,7 @@ stltsa_status stltsa_clip_feature_count(const stltsa_clip* clip, const stltsa_op
 
 stltsa_status stltsa_clip_features(const stltsa_clip* clip, const stltsa_options* options,
                                    const stltsa_out* features) noexcept {
-    return compute([&] {
+    return compute(options, [&] {
         capi::write_output(features, "features",
                            clip_features(required(clip, "clip"), options).view());
     });
@@ -239,8 +239,6 @@ stltsa_status stltsa_clip_features(const stltsa_clip* clip, const stltsa_options
 
 stltsa_status stltsa_clip_save(const stltsa_clip* clip, const char* path,
                                const stltsa_options* options) noexcept {
-    return guard([&] {
-        const capi::OptionsReader reader(options);
-        clip::write(required(clip, "clip").clip, &required(path, "path"), reader.progress());
-    });
+    return guard(options,
+                 [&] { clip::write(required(clip, "clip").clip, &required(path, "path")); });
 }

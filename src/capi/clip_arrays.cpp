@@ -147,7 +147,7 @@ stltsa_status stltsa_clip_from_skeleton(const stltsa_joint* joints, size_t joint
 
 stltsa_status stltsa_clip_from_points(const stltsa_points* points, const stltsa_options* options,
                                       stltsa_clip** clip) noexcept {
-    return guard([&] {
+    return guard(options, [&] {
         required(clip, "clip") = nullptr;
         const stltsa_points given = capi::taken(points, "points", "stltsa_points");
         if (given.fps != 0)

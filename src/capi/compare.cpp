@@ -53,14 +53,13 @@ stltsa_status stltsa_compare(const stltsa_phase* first, int64_t first_label,
                              const stltsa_phase* second, int64_t second_label, int64_t samples,
                              const stltsa_options* options,
                              stltsa_comparison** comparison) noexcept {
-    return compute([&] {
+    return compute(options, [&] {
         required(comparison, "comparison") = nullptr;
         const results::Phased& one = required(first, "first");
         const results::Phased& other = required(second, "second");
         capi::check_samples(samples, least_samples, most_samples);
-        const capi::OptionsReader reader(options);
-        *comparison = new stltsa_comparison(results::compare(
-            one, wanted(first_label), other, wanted(second_label), samples, reader.progress()));
+        *comparison = new stltsa_comparison(
+            results::compare(one, wanted(first_label), other, wanted(second_label), samples));
     });
 }
 
@@ -68,14 +67,14 @@ stltsa_status stltsa_compare_left_right(const stltsa_clip* clip, const stltsa_ph
                                         int64_t label, int64_t samples,
                                         const stltsa_options* options,
                                         stltsa_comparison** comparison) noexcept {
-    return compute([&] {
+    return compute(options, [&] {
         required(comparison, "comparison") = nullptr;
         const clip::Clip& of = required(clip, "clip").clip;
         const results::Phased& by = required(phase, "phase");
         capi::check_samples(samples, least_samples, most_samples);
         const capi::OptionsReader reader(options);
-        *comparison = new stltsa_comparison(results::compare_left_right(
-            of, by, wanted(label), samples, reader.prepare_options(), reader.progress()));
+        *comparison = new stltsa_comparison(
+            results::compare_left_right(of, by, wanted(label), samples, reader.prepare_options()));
     });
 }
 
@@ -83,15 +82,14 @@ stltsa_status stltsa_cycles_compare_left_right(const stltsa_cycles* cycles,
                                                const char* const* names, double fps,
                                                const stltsa_options* options,
                                                stltsa_comparison** comparison) noexcept {
-    return compute([&] {
+    return compute(options, [&] {
         required(comparison, "comparison") = nullptr;
         const phase::Resampled& of = required(cycles, "cycles");
         capi::check_samples(of.mean.rows(), least_samples, most_samples);
         if (fps != 0)
             capi::check_rate(fps);
-        const capi::OptionsReader reader(options);
-        *comparison = new stltsa_comparison(results::compare_left_right(
-            of, names_of(names, of.mean.cols()), fps, reader.progress()));
+        *comparison = new stltsa_comparison(
+            results::compare_left_right(of, names_of(names, of.mean.cols()), fps));
     });
 }
 

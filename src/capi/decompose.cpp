@@ -42,12 +42,12 @@ const char* stltsa_segment_name(int64_t kind) noexcept {
 
 stltsa_status stltsa_decompose(const stltsa_clip* clip, const stltsa_options* options,
                                stltsa_decomposition** decomposition) noexcept {
-    return compute([&] {
+    return compute(options, [&] {
         required(decomposition, "decomposition") = nullptr;
         const clip::Clip& from = required(clip, "clip").clip;
         const capi::OptionsReader reader(options);
-        *decomposition = new stltsa_decomposition(results::decompose(
-            from, reader.prepare_options(), reader.decompose_options(), reader.progress()));
+        *decomposition = new stltsa_decomposition(
+            results::decompose(from, reader.prepare_options(), reader.decompose_options()));
     });
 }
 

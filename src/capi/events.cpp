@@ -35,13 +35,11 @@ std::vector<double> marks_of(const stltsa_in* marks, const results::Phased& from
 stltsa_status stltsa_events_find(const stltsa_phase* from, const stltsa_in* marks,
                                  const stltsa_phase* in, const stltsa_options* options,
                                  stltsa_events** events) noexcept {
-    return compute([&] {
+    return compute(options, [&] {
         required(events, "events") = nullptr;
         const results::Phased& source = required(from, "from");
         const results::Phased& target = in == nullptr ? source : *in->found;
-        const capi::OptionsReader reader(options);
-        *events = new stltsa_events(
-            results::find_events(source, marks_of(marks, source), target, reader.progress()));
+        *events = new stltsa_events(results::find_events(source, marks_of(marks, source), target));
     });
 }
 

@@ -14,7 +14,7 @@ using capi::required;
 
 stltsa_status stltsa_fit(const stltsa_in* frames, const stltsa_in* lengths,
                          const stltsa_options* options, stltsa_model** model) noexcept {
-    return compute([&] {
+    return compute(options, [&] {
         required(model, "model") = nullptr;
         const capi::InputFrames input(frames, "frames");
         const ConstMatrixView x = input.view();
@@ -22,8 +22,7 @@ stltsa_status stltsa_fit(const stltsa_in* frames, const stltsa_in* lengths,
         const capi::OptionsReader reader(options);
         auto fitted = results::fit(
             x, {clip_lengths, clip_lengths}, reader.fit_options(), reader.intrinsic_options(),
-            results::matrix_source(x, reader.real_if_set(STLTSA_OPT_FPS).value_or(0)),
-            reader.progress());
+            results::matrix_source(x, reader.real_if_set(STLTSA_OPT_FPS).value_or(0)));
         if (reader.integer(STLTSA_OPT_KEEP_FRAMES) != 0)
             fitted.kept.frames = copied(x);
         *model = new stltsa_model(std::move(fitted));
@@ -32,15 +31,14 @@ stltsa_status stltsa_fit(const stltsa_in* frames, const stltsa_in* lengths,
 
 stltsa_status stltsa_fit_clips(const stltsa_clip* const* clips, int64_t count,
                                const stltsa_options* options, stltsa_model** model) noexcept {
-    return compute([&] {
+    return compute(options, [&] {
         required(model, "model") = nullptr;
         const auto from = capi::clips_of(clips, count);
         const capi::OptionsReader reader(options);
         const auto prepare = reader.prepare_options();
-        auto prepared = results::prepare_clips(from, prepare, reader.progress());
-        auto fitted =
-            results::fit(prepared.samples.view(), prepared.lengths, reader.fit_options(),
-                         reader.intrinsic_options(), std::move(prepared.source), reader.progress());
+        auto prepared = results::prepare_clips(from, prepare);
+        auto fitted = results::fit(prepared.samples.view(), prepared.lengths, reader.fit_options(),
+                                   reader.intrinsic_options(), std::move(prepared.source));
         if (reader.integer(STLTSA_OPT_KEEP_FRAMES) != 0) {
             fitted.kept.drop_tpose = prepare.drop_tpose;
             results::keep_clips(fitted, from, std::move(prepared.samples));

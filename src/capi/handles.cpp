@@ -39,6 +39,7 @@ const ltsa::Mapping* mapping_of(const stltsa_model& model) {
         return nullptr;
     // Not std::call_once, which helgrind does not know as synchronization.
     const std::lock_guard lock(model.mapping_mutex);
+    const Call unasked({}); // a progress callback that maps would wait for itself
     if (!model.mapping)
         model.mapping.emplace(model.kept.frames.view(), model.model,
                               results::rows_of_period(model.source.period, model.source.samples));

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <limits>
 
+#include "base/progress.hpp"
 #include "capi/boundary/guard.hpp"
 #include "capi/boundary/structs.hpp"
 #include "capi/handles.hpp"
@@ -129,9 +130,8 @@ bool read_pose(stltsa_live& stream, clip::RotationForm form, const stltsa_in& ro
 
 stltsa_status stltsa_model_keep_cycle(stltsa_model* model, const stltsa_phase* phase,
                                       const stltsa_options* options) noexcept {
-    return compute([&] {
-        const capi::OptionsReader reader(options);
-        reader.progress().report(Stage::units, 0);
+    return compute(options, [&] {
+        report_progress(Stage::units, 0);
         results::keep_cycle(required(model, "model"), required(phase, "phase"));
     });
 }

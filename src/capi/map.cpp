@@ -97,7 +97,7 @@ double rate_of_points(const stltsa_model& model, const capi::OptionsReader& opti
 stltsa_status stltsa_map(const stltsa_model* model, const stltsa_in* frames, const stltsa_in* hints,
                          const stltsa_options* options, const stltsa_out* coords,
                          const stltsa_out* distance, const stltsa_out* nearest) noexcept {
-    return compute([&] {
+    return compute(options, [&] {
         const ltsa::Mapping& mapping = mapping_of(required(model, "model"));
         const capi::OptionsReader reader(options);
         const capi::InputFrames input(frames, "frames");
@@ -118,7 +118,7 @@ stltsa_status stltsa_map(const stltsa_model* model, const stltsa_in* frames, con
 stltsa_status stltsa_map_clip(const stltsa_model* model, const stltsa_clip* clip,
                               const stltsa_options* options, const stltsa_out* coords,
                               const stltsa_out* distance, const stltsa_out* nearest) noexcept {
-    return compute([&] {
+    return compute(options, [&] {
         const ltsa::Mapping& mapping = mapping_of(required(model, "model"));
         const capi::OptionsReader reader(options);
         const std::int64_t rows = required(clip, "clip").clip.frames();
@@ -126,7 +126,7 @@ stltsa_status stltsa_map_clip(const stltsa_model* model, const stltsa_clip* clip
         capi::check_output(coords, "coords", rows, mapped.cols());
         const PlacedOut out = {distance, nearest};
         out.check(rows);
-        const Matrix features = results::clip_features(*model, clip->clip, reader.progress());
+        const Matrix features = results::clip_features(*model, clip->clip);
         const auto placed = results::map_rows(
             *model, mapping, features.view(),
             [&](std::int64_t r) { return results::own_row(*model, features, r); },
@@ -140,7 +140,7 @@ stltsa_status stltsa_unmap(const stltsa_model* model, const stltsa_in* coords,
                            const stltsa_in* hints, const stltsa_options* options,
                            const stltsa_out* frames, const stltsa_out* distance,
                            const stltsa_out* nearest) noexcept {
-    return compute([&] {
+    return compute(options, [&] {
         const ltsa::Mapping& mapping = mapping_of(required(model, "model"));
         const capi::OptionsReader reader(options);
         const capi::InputFrames input(coords, "coords");
@@ -162,7 +162,7 @@ stltsa_status stltsa_unmap_clip(const stltsa_model* model, const stltsa_in* coor
                                 const stltsa_in* hints, const stltsa_options* options,
                                 const stltsa_out* distance, const stltsa_out* nearest,
                                 stltsa_clip** poses) noexcept {
-    return compute([&] {
+    return compute(options, [&] {
         required(poses, "poses") = nullptr;
         const ltsa::Mapping& mapping = mapping_of(required(model, "model"));
         if (!model->kept.has_poses)

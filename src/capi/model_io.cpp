@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "base/progress.hpp"
 #include "capi/boundary/guard.hpp"
 #include "capi/handles.hpp"
 #include "capi/options/reader.hpp"
@@ -41,25 +42,20 @@ stltsa_status stltsa_model_parse(const void* bytes, size_t size, stltsa_model** 
 
 stltsa_status stltsa_model_save(const stltsa_model* model, const char* path,
                                 const stltsa_options* options) noexcept {
-    return guard([&] {
-        const capi::OptionsReader reader(options);
+    return guard(options, [&] {
         const std::uint64_t needed = results::archive_size(required(model, "model"));
-        const Progress progress = reader.progress();
-        progress.report(Stage::write, 0);
-        clip::write_file(
-            &required(path, "path"),
-            [&](const Sink& sink) { results::archive_model(*model, needed, sink); },
-            [&] { progress.report(Stage::write, 1); });
+        report_progress(Stage::write, 0);
+        clip::write_file(&required(path, "path"),
+                         [&](const Sink& sink) { results::archive_model(*model, needed, sink); });
     });
 }
 
 stltsa_status stltsa_model_load(const char* path, const stltsa_options* options,
                                 stltsa_model** model) noexcept {
-    return guard([&] {
-        const capi::OptionsReader reader(options);
+    return guard(options, [&] {
         required(model, "model") = nullptr;
         const std::string name = &required(path, "path");
-        const std::string bytes = clip::read_file(name, reader.progress());
+        const std::string bytes = clip::read_file(name);
         try {
             *model = new stltsa_model(results::restore_model(bytes));
         } catch (const Error& error) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/numbers.hpp"
+#include "base/progress.hpp"
 #include "capi/boundary/arrays.hpp"
 #include "capi/boundary/guard.hpp"
 #include "capi/handles.hpp"
@@ -46,11 +47,10 @@ void check_borders(const phase::Borders& borders, int64_t rows) {
 
 stltsa_status stltsa_phase_find(const stltsa_decomposition* decomposition,
                                 const stltsa_options* options, stltsa_phase** phase) noexcept {
-    return compute([&] {
+    return compute(options, [&] {
         required(phase, "phase") = nullptr;
         const results::Decomposed& of = required(decomposition, "decomposition");
-        const capi::OptionsReader reader(options);
-        *phase = new stltsa_phase(results::phase_of(of, reader.progress()));
+        *phase = new stltsa_phase(results::phase_of(of));
     });
 }
 
@@ -62,23 +62,20 @@ stltsa_status stltsa_cycles_resample(const stltsa_phase* phase, int64_t label,
                                      const stltsa_in* signals, int64_t samples,
                                      const stltsa_options* options,
                                      stltsa_cycles** cycles) noexcept {
-    return compute([&] {
+    return compute(options, [&] {
         required(cycles, "cycles") = nullptr;
         const results::Phased& by = required(phase, "phase");
         const capi::InputFrames input(signals, "signals");
         capi::check_samples(samples);
-        const capi::OptionsReader reader(options);
-        const Progress progress = reader.progress();
-        progress.report(Stage::units, 0);
-        *cycles = new stltsa_cycles(results::resample(by, label, input.view(), samples,
-                                                      [&] { progress.report(Stage::units, 1); }));
+        report_progress(Stage::units, 0);
+        *cycles = new stltsa_cycles(results::resample(by, label, input.view(), samples));
     });
 }
 
 stltsa_status stltsa_cycles_between(const stltsa_in* borders, const stltsa_in* signals,
                                     int64_t samples, const stltsa_options* options,
                                     stltsa_cycles** cycles) noexcept {
-    return compute([&] {
+    return compute(options, [&] {
         required(cycles, "cycles") = nullptr;
         const capi::InputFrames of(borders, "borders");
         const capi::InputFrames input(signals, "signals");
@@ -89,12 +86,9 @@ stltsa_status stltsa_cycles_between(const stltsa_in* borders, const stltsa_in* s
         for (int64_t i = 0; i < of.view().rows; ++i)
             rows.push_back(of.view()(i, 0));
         check_borders(rows, input.view().rows);
-        const capi::OptionsReader reader(options);
-        const Progress progress = reader.progress();
-        progress.report(Stage::units, 0);
-        *cycles = new stltsa_cycles(phase::resample(input.view(),
-                                                    {phase::times_between(rows, samples), {}},
-                                                    [&] { progress.report(Stage::units, 1); }));
+        report_progress(Stage::units, 0);
+        *cycles = new stltsa_cycles(
+            phase::resample(input.view(), {phase::times_between(rows, samples), {}}));
     });
 }
 

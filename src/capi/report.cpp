@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "base/progress.hpp"
 #include "capi/boundary/guard.hpp"
 #include "capi/handles.hpp"
 #include "capi/json/results.hpp"
@@ -50,41 +51,35 @@ std::vector<std::pair<const char*, std::string>> flags_by_command(const stltsa_o
 stltsa_status stltsa_report_save(const stltsa_clip* clip, const stltsa_decomposition* decomposition,
                                  const stltsa_options* options, const char* command,
                                  const char* path) noexcept {
-    return compute([&] {
+    return compute(options, [&] {
         const std::string place = &required(path, "path");
         const stltsa_clip& of = required(clip, "clip");
         const results::Decomposed& decomposed = required(decomposition, "decomposition");
         const capi::OptionsReader reader(options);
-        const Progress progress = reader.progress();
         const bool drawn = clip::equals_ignoring_case(
             std::string_view(place).substr(std::min(place.find_last_of('.'), place.size())),
             ".svg");
         const std::string page = drawn
-                                     ? report::figure(of.clip, decomposed, title_of(of), progress)
+                                     ? report::figure(of.clip, decomposed, title_of(of))
                                      : report::page({of.clip, decomposed, reader.prepare_options(),
                                                      capi::decomposition_json(decomposed),
                                                      command == nullptr ? "" : command, name_of(of),
-                                                     of.pieces, flags_by_command(options)},
-                                                    progress);
-        clip::write_file(
-            place, [&](const Sink& sink) { sink(page); },
-            [&] { progress.report(Stage::write, 1); });
+                                                     of.pieces, flags_by_command(options)});
+        report_progress(Stage::write, 1);
+        clip::write_file(place, page);
     });
 }
 
 stltsa_status stltsa_comparison_report_save(const stltsa_comparison* comparison,
                                             const stltsa_options* options, const char* command,
                                             const char* path) noexcept {
-    return guard([&] {
+    return guard(options, [&] {
         const std::string place = &required(path, "path");
         const stltsa_comparison& of = required(comparison, "comparison");
-        const capi::OptionsReader reader(options);
-        const Progress progress = reader.progress();
-        progress.report(Stage::write, 0);
+        report_progress(Stage::write, 0);
         const std::string page = report::comparison_page(of, capi::comparison_json(of),
                                                          command == nullptr ? "" : command);
-        clip::write_file(
-            place, [&](const Sink& sink) { sink(page); },
-            [&] { progress.report(Stage::write, 1); });
+        report_progress(Stage::write, 1);
+        clip::write_file(place, page);
     });
 }

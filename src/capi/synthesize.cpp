@@ -38,11 +38,11 @@ std::vector<synthesis::Piece> pieces_of(const stltsa_piece* pieces, int64_t coun
 stltsa_status stltsa_synthesize(const stltsa_piece* pieces, int64_t count,
                                 const stltsa_options* options,
                                 stltsa_synthesis** synthesis) noexcept {
-    return compute([&] {
+    return compute(options, [&] {
         required(synthesis, "synthesis") = nullptr;
         const capi::OptionsReader reader(options);
-        *synthesis = new stltsa_synthesis(results::synthesize(
-            pieces_of(pieces, count), reader.synthesis_options(), reader.progress()));
+        *synthesis = new stltsa_synthesis(
+            results::synthesize(pieces_of(pieces, count), reader.synthesis_options()));
     });
 }
 
@@ -50,12 +50,12 @@ stltsa_status stltsa_synthesize_loop(const stltsa_clip* clip,
                                      const stltsa_decomposition* decomposition,
                                      const stltsa_options* options,
                                      stltsa_synthesis** synthesis) noexcept {
-    return compute([&] {
+    return compute(options, [&] {
         required(synthesis, "synthesis") = nullptr;
         const capi::OptionsReader reader(options);
         *synthesis = new stltsa_synthesis(results::synthesize_loop(
             required(clip, "clip").clip, required(decomposition, "decomposition"),
-            reader.synthesis_options(), reader.progress()));
+            reader.synthesis_options()));
     });
 }
 

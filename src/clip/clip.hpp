@@ -11,7 +11,6 @@
 #include <string_view>
 #include <vector>
 
-#include "base/progress.hpp"
 #include "linalg/matrix.hpp"
 
 namespace stltsa::clip {
@@ -100,7 +99,6 @@ struct ReadOptions {
     std::string subject;         ///< whose points to take; empty: the only one's
     std::string channels;        ///< BIDS: path of the table of the columns; set by read()
     std::string sidecar;         ///< BIDS: path of the JSON file with the rate; set by read()
-    Progress progress;           ///< called periodically, and after a signal
 };
 
 /// Reads a file; its suffix determines the format, or its content if the suffix is unknown. Throws

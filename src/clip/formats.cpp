@@ -18,11 +18,11 @@ Clip parse_npy(std::string_view bytes, const std::string& name, const ReadOption
 Clip parse_c3d(std::string_view bytes, const std::string& name, const ReadOptions& options);
 Clip parse_trc(std::string_view bytes, const std::string& name, const ReadOptions& options);
 Clip parse_mot(std::string_view bytes, const std::string& name, const ReadOptions& options);
-std::string format_bvh(const Clip& clip, const Progress& progress);
-std::string format_amc(const Clip& clip, const Progress& progress);
-std::string format_csv(const Clip& clip, const Progress& progress);
-std::string format_npy(const Clip& clip, const Progress& progress);
-std::string format_glb(const Clip& clip, const Progress& progress);
+std::string format_bvh(const Clip& clip);
+std::string format_amc(const Clip& clip);
+std::string format_csv(const Clip& clip);
+std::string format_npy(const Clip& clip);
+std::string format_glb(const Clip& clip);
 
 namespace {
 

@@ -26,7 +26,7 @@ struct FormatRow {
     /// is the file's own rate, or 0. Null: the format has no files, or they are only written.
     Clip (*read)(std::string_view bytes, const std::string& name, const ReadOptions& options);
     /// The bytes of a file. Reading it gives the same bits. Null: the format has no files.
-    std::string (*write)(const Clip& clip, const Progress& progress);
+    std::string (*write)(const Clip& clip);
 };
 
 /// All formats.

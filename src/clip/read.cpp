@@ -102,7 +102,7 @@ Clip parse(std::string_view bytes, Format format, const std::string& name,
 
 Clip read(const std::string& given, const ReadOptions& options) {
     const std::string path = motion_file(given);
-    const std::string bytes = read_file(path, options.progress);
+    const std::string bytes = read_file(path);
     const FormatRow* known = find_format(path);
     if (known != nullptr && known->read == nullptr)
         fail(Status::format, "{}: {} files are only written: open the clip that it was made from",

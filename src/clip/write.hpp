@@ -9,6 +9,6 @@
 namespace stltsa::clip {
 
 /// Writes the clip in the format of the suffix, completely or not at all.
-void write(const Clip& clip, const std::string& path, const Progress& progress = {});
+void write(const Clip& clip, const std::string& path);
 
 } // namespace stltsa::clip

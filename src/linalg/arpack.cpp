@@ -10,6 +10,7 @@
 
 #include <arpack.h>
 
+#include "base/progress.hpp"
 #include "linalg/eigen.hpp"
 #include "linalg/simd.hpp"
 
@@ -37,16 +38,16 @@ namespace {
 thread_local bool owns_arpack = false;
 
 /// ARPACK keeps state between its reverse-communication calls (Fortran SAVE), so one eigenproblem
-/// runs at a time: other threads wait and poll meanwhile. A thread that already holds the lock
-/// would wait forever.
+/// runs at a time: other threads wait, at checkpoints, meanwhile. A thread that already holds the
+/// lock would wait forever.
 class ArpackLock {
   public:
-    explicit ArpackLock(const std::function<void()>& poll) {
+    ArpackLock() {
         if (owns_arpack)
             fail(Status::argument,
                  "a progress callback must not fit or decompose during stage spectrum: do so in "
                  "another stage, or before or after the call that reports progress");
-        take(poll);
+        take();
         owns_arpack = true;
     }
     ~ArpackLock() {
@@ -58,15 +59,15 @@ class ArpackLock {
 
   private:
 #ifdef STLTSA_TEST_WITHOUT_ARPACK_LOCK // tests/rooms/linalg/arpack_lock.cpp
-    static void take(const std::function<void()>&) {}
+    static void take() {}
     static void give_back() {}
 #else
-    static void take(const std::function<void()>& poll) {
+    static void take() {
         std::unique_lock lock(arpack_mutex);
         while (!arpack_free.wait_for(lock, std::chrono::milliseconds(50),
                                      [] { return !arpack_used; })) {
             lock.unlock(); // the callback may take as long as it likes
-            poll();
+            checkpoint();
             lock.lock();
         }
         arpack_used = true;
@@ -112,8 +113,7 @@ class Lanczos {
     }
 
     /// False if it did not converge within the restarts.
-    bool iterate(const Operator& apply, const Start& start, const std::function<void()>& poll,
-                 std::int64_t& applications) {
+    bool iterate(const Operator& apply, const Start& start, std::int64_t& applications) {
         const auto length = static_cast<std::size_t>(order_);
         start({residual_.data(), length});
         a_int ido = 0;
@@ -127,7 +127,7 @@ class Lanczos {
             apply({work_.data() + pointers_[0] - 1, length},
                   {work_.data() + pointers_[1] - 1, length});
             ++applications;
-            poll();
+            checkpoint();
         }
         if (info == 1 || info == 3)
             return false;
@@ -192,14 +192,15 @@ Eigenpairs dense_eigenpairs(const Operator& apply, std::int64_t order, std::int6
 }
 
 Eigenpairs krylov_eigenpairs(const Operator& apply, std::int64_t order, const Start& start,
-                             std::int64_t count, const std::function<void()>& poll) {
-    const ArpackLock lock(poll);
+                             std::int64_t count) {
+    const ArpackLock lock;
+    const OnlyInStage refusing_fits(Stage::spectrum);
     std::int64_t applications = 0;
     for (std::int64_t vectors = least_vectors(count);; vectors *= 2) {
         const bool last = vectors >= std::min(most_vectors, order);
         Lanczos lanczos(order, count, std::min(vectors, order),
                         last ? many_restarts : few_restarts);
-        if (lanczos.iterate(apply, start, poll, applications)) {
+        if (lanczos.iterate(apply, start, applications)) {
             Eigenpairs pairs = lanczos.extract();
             pairs.applications = applications;
             return pairs;
@@ -234,10 +235,10 @@ void project_out(ConstMatrixView rows, std::span<double> x) {
 } // namespace
 
 Eigenpairs largest_eigenpairs(const Operator& apply, std::int64_t order, const Start& start,
-                              std::int64_t count, const std::function<void()>& poll) {
+                              std::int64_t count) {
     Eigenpairs pairs = order <= std::max(dense_order, 2 * count + 8)
                            ? dense_eigenpairs(apply, order, count)
-                           : krylov_eigenpairs(apply, order, start, count, poll);
+                           : krylov_eigenpairs(apply, order, start, count);
     const std::int64_t known = known_pairs(pairs);
     if (known == count)
         return pairs;
@@ -253,8 +254,7 @@ Eigenpairs largest_eigenpairs(const Operator& apply, std::int64_t order, const S
         start(x);
         project_out(found, x);
     };
-    const Eigenpairs others =
-        largest_eigenpairs(deflated, order, deflated_start, count - known, poll);
+    const Eigenpairs others = largest_eigenpairs(deflated, order, deflated_start, count - known);
     std::ranges::copy(others.values, pairs.values.begin() + known);
     std::copy_n(others.vectors.data(), others.vectors.rows() * order, pairs.vectors.row(known));
     pairs.applications += others.applications;

@@ -26,11 +26,10 @@ using Start = std::function<void(std::span<double> x)>;
 /// The `count` algebraically largest eigenpairs of a symmetric operator (count < order). Residuals
 /// are at most 1e-7 of the eigenvalue, even if it is many powers of ten below the largest (but not
 /// below 1e-10, the limit of ARPACK's tolerance). `start` writes ARPACK's start vector, which with
-/// the operator determines every bit of the result; it must not be an eigenvector. `poll` is called
-/// between applications, and while another thread uses ARPACK, and may throw. Small orders are
+/// the operator determines every bit of the result; it must not be an eigenvector. Small orders are
 /// solved densely by LAPACK. Throws Status::not_converged, and Status::argument if called from
-/// `apply` or `poll`.
+/// `apply` or at one of its checkpoints.
 Eigenpairs largest_eigenpairs(const Operator& apply, std::int64_t order, const Start& start,
-                              std::int64_t count, const std::function<void()>& poll);
+                              std::int64_t count);
 
 } // namespace stltsa

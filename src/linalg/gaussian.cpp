@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "base/progress.hpp"
+#include "base/checkpoint.hpp"
 #include "linalg/weighted_rows.hpp"
 
 namespace stltsa {
@@ -62,40 +62,36 @@ void smooth_row(ConstMatrixView rows, std::int64_t middle, const std::vector<dou
         out[c] = center[c] + out[c] / total;
 }
 
-/// For PacedPoll.
+/// For checkpoint().
 std::int64_t work_of_row(const std::vector<double>& weights, std::int64_t cols) {
     return static_cast<std::int64_t>(weights.size()) * cols;
 }
 
 /// Every `step`-th row.
 void smooth_rows(ConstMatrixView rows, const std::vector<double>& weights, Beyond beyond,
-                 std::int64_t step, const std::function<void()>& poll, MatrixView smoothed) {
-    PacedPoll polls(poll);
+                 std::int64_t step, MatrixView smoothed) {
     const std::int64_t work = work_of_row(weights, rows.cols);
     for (std::int64_t i = 0; i < smoothed.rows; ++i) {
         smooth_row(rows, i * step, weights, beyond, smoothed.row(i));
-        polls.did(work);
+        checkpoint(work);
     }
 }
 
 } // namespace
 
-void smooth_to(MatrixView smoothed, ConstMatrixView rows, double sigma, Beyond beyond,
-               const std::function<void()>& poll) {
-    smooth_rows(rows, kernel(sigma, rows.rows), beyond, 1, poll, smoothed);
+void smooth_to(MatrixView smoothed, ConstMatrixView rows, double sigma, Beyond beyond) {
+    smooth_rows(rows, kernel(sigma, rows.rows), beyond, 1, smoothed);
 }
 
-Matrix gaussian_smoothed(ConstMatrixView rows, double sigma, Beyond beyond, std::int64_t step,
-                         const std::function<void()>& poll) {
+Matrix gaussian_smoothed(ConstMatrixView rows, double sigma, Beyond beyond, std::int64_t step) {
     const std::vector<double> weights = kernel(sigma, rows.rows);
     Matrix result = Matrix::unset((rows.rows + step - 1) / step, rows.cols);
-    smooth_rows(rows, weights, beyond, step, poll, result.view());
+    smooth_rows(rows, weights, beyond, step, result.view());
     return result;
 }
 
-void smooth_in_place(Matrix& rows, double sigma, Beyond beyond, const std::function<void()>& poll) {
+void smooth_in_place(Matrix& rows, double sigma, Beyond beyond) {
     const std::vector<double> weights = kernel(sigma, rows.rows());
-    PacedPoll polls(poll);
     const std::int64_t work = work_of_row(weights, rows.cols());
     const std::int64_t reach = reach_of(weights);
     const std::int64_t block = std::max<std::int64_t>(4096, reach);
@@ -109,7 +105,7 @@ void smooth_in_place(Matrix& rows, double sigma, Beyond beyond, const std::funct
         std::copy_n(rows.row(begin), (last - begin) * rows.cols(), around.row(before.rows()));
         for (std::int64_t i = begin; i < end; ++i) {
             smooth_row(around.view(), i - first, weights, beyond, rows.row(i));
-            polls.did(work);
+            checkpoint(work);
         }
         const std::int64_t kept = std::min(reach, end - first);
         before = copied(around.view().block(end - kept - first, kept));

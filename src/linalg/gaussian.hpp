@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 
 #include "linalg/matrix.hpp"
 
@@ -15,17 +14,13 @@ enum class Beyond {
 };
 
 /// Every step-th row, from the first on, smoothed over time by a Gaussian of `sigma` rows,
-/// truncated at four sigma. Constant rows keep their bits, so that standing stays standing. `poll`
-/// is called every few milliseconds and may throw: a wide kernel takes minutes on a long clip.
-Matrix gaussian_smoothed(ConstMatrixView rows, double sigma, Beyond beyond, std::int64_t step = 1,
-                         const std::function<void()>& poll = {});
+/// truncated at four sigma. Constant rows keep their bits, so that standing stays standing.
+Matrix gaussian_smoothed(ConstMatrixView rows, double sigma, Beyond beyond, std::int64_t step = 1);
 
 /// Every row, into a matrix of others.
-void smooth_to(MatrixView smoothed, ConstMatrixView rows, double sigma, Beyond beyond,
-               const std::function<void()>& poll = {});
+void smooth_to(MatrixView smoothed, ConstMatrixView rows, double sigma, Beyond beyond);
 
 /// The same without a second matrix of that size.
-void smooth_in_place(Matrix& rows, double sigma, Beyond beyond,
-                     const std::function<void()>& poll = {});
+void smooth_in_place(Matrix& rows, double sigma, Beyond beyond);
 
 } // namespace stltsa

@@ -3,19 +3,18 @@
 
 #include <algorithm>
 
-#include "base/progress.hpp"
+#include "base/checkpoint.hpp"
 #include "linalg/eigen.hpp"
 #include "linalg/simd.hpp"
 #include "linalg/weighted_rows.hpp"
 
 namespace stltsa {
 
-std::vector<double> column_means(ConstMatrixView rows, const std::function<void()>& poll) {
+std::vector<double> column_means(ConstMatrixView rows) {
     std::vector<double> means(static_cast<std::size_t>(rows.cols));
-    PacedPoll polls(poll);
     for (std::int64_t i = 0; i < rows.rows; ++i) {
         axpy(1 / static_cast<double>(rows.rows), rows.row(i), means.data(), rows.cols);
-        polls.did(rows.cols);
+        checkpoint(rows.cols);
     }
     return means;
 }
@@ -28,14 +27,13 @@ double total_variance(ConstMatrixView rows) {
     return rows.rows > 0 ? squares / static_cast<double>(rows.rows) : 0;
 }
 
-void set_covariance(ConstMatrixView centered, double* matrix, const std::function<void()>& poll) {
+void set_covariance(ConstMatrixView centered, double* matrix) {
     constexpr std::int64_t rows_at_once = 32;
     const std::int64_t p = centered.cols;
     std::fill_n(matrix, p * p, 0.0);
     Matrix shares(rows_at_once, p);
-    PacedPoll polls(poll);
     for (std::int64_t i = 0; i < centered.rows; i += rows_at_once) {
-        polls.did(rows_at_once * p * p / 2);
+        checkpoint(rows_at_once * p * p / 2);
         const ConstMatrixView block = centered.block(i, std::min(rows_at_once, centered.rows - i));
         for (std::int64_t r = 0; r < block.rows; ++r)
             for (std::int64_t c = 0; c < p; ++c)
@@ -46,12 +44,11 @@ void set_covariance(ConstMatrixView centered, double* matrix, const std::functio
     }
 }
 
-PrincipalDirections principal_directions(ConstMatrixView centered, std::int64_t most,
-                                         const std::function<void()>& poll) {
+PrincipalDirections principal_directions(ConstMatrixView centered, std::int64_t most) {
     const std::int64_t p = centered.cols;
     const std::int64_t count = std::min({most, p, centered.rows});
     TopEigenpairs pairs(p, count);
-    set_covariance(centered, pairs.matrix(), poll);
+    set_covariance(centered, pairs.matrix());
     pairs.solve();
     PrincipalDirections found{Matrix(count, p), {}};
     for (std::int64_t d = 0; d < count; ++d) {

@@ -3,21 +3,19 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "linalg/matrix.hpp"
 
 namespace stltsa {
 
-std::vector<double> column_means(ConstMatrixView rows, const std::function<void()>& poll = {});
+std::vector<double> column_means(ConstMatrixView rows);
 
 /// Mean squared distance of the rows from their mean.
 double total_variance(ConstMatrixView rows);
 
 /// Of centered rows: the lower triangle by columns.
-void set_covariance(ConstMatrixView centered, double* matrix,
-                    const std::function<void()>& poll = {});
+void set_covariance(ConstMatrixView centered, double* matrix);
 
 struct PrincipalDirections {
     Matrix directions;             ///< orthonormal rows, that of the largest variance first
@@ -25,7 +23,6 @@ struct PrincipalDirections {
 };
 
 /// At most `most`, of centered rows.
-PrincipalDirections principal_directions(ConstMatrixView centered, std::int64_t most,
-                                         const std::function<void()>& poll = {});
+PrincipalDirections principal_directions(ConstMatrixView centered, std::int64_t most);
 
 } // namespace stltsa

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/progress.hpp"
 #include "ltsa/embed.hpp"
 #include "ltsa/tangents/local_tangents.hpp"
 
@@ -39,12 +40,12 @@ int explaining_directions(const double* spectrum, std::int64_t count, double sha
     return 0;
 }
 
-void local_pca(const Graph& graph, const Progress& progress, Dimension& result) {
+void local_pca(const Graph& graph, Dimension& result) {
     const std::int64_t n = graph.frames.x.rows;
     const std::int64_t count = std::min(graph.neighborhoods.size, graph.frames.x.cols);
     const std::int64_t stride = std::max<std::int64_t>(1, n / sampled_neighborhoods);
-    const Matrix spectra = local_spectra(graph.frames.x, graph.neighborhoods, count, stride,
-                                         graph.parameters.threads, progress);
+    const Matrix spectra =
+        local_spectra(graph.frames.x, graph.neighborhoods, count, stride, graph.parameters.threads);
     std::vector<int> dimensions;
     result.local_variances.assign(static_cast<std::size_t>(std::min(count, listed_variances)), 0);
     for (std::int64_t i = 0; i < spectra.rows(); ++i) {
@@ -96,11 +97,10 @@ int eigenvalues_of_gap(const Graph& graph, int tangents) {
         std::min<std::int64_t>(tangents + eigenvalues_beyond, graph.frames.x.rows));
 }
 
-Dimension local_dimension(const Graph& graph, int tangents, const DimensionOptions& options,
-                          const Progress& progress) {
+Dimension local_dimension(const Graph& graph, int tangents, const DimensionOptions& options) {
     Dimension result = unestimated(graph.parameters, options);
     result.parameters.dimension = tangents;
-    local_pca(graph, progress, result);
+    local_pca(graph, result);
     result.eigengap_reason = no_eigengap(graph, tangents);
     return result;
 }
@@ -125,15 +125,18 @@ Dimension unknown_dimension(const Parameters& parameters, const DimensionOptions
 }
 
 Dimension intrinsic_dimension(ConstMatrixView frames, std::span<const std::int64_t> lengths,
-                              const Parameters& parameters, const DimensionOptions& options,
-                              const Progress& progress) {
+                              const Parameters& parameters, const DimensionOptions& options) {
     try {
         const int tangents = parameters.dimension;
-        const Graph graph = build_graph(frames, lengths, parameters, progress.part(0, 2));
-        Dimension result = local_dimension(graph, tangents, options, progress.part(1, 2));
+        const auto in_part = [](std::int64_t index, const auto& work) {
+            const PartOfStages part(index, 2);
+            return work();
+        };
+        const Graph graph = in_part(0, [&] { return build_graph(frames, lengths, parameters); });
+        Dimension result = in_part(1, [&] { return local_dimension(graph, tangents, options); });
         if (result.eigengap_reason.empty()) {
             const int count = eigenvalues_of_gap(graph, tangents);
-            const Model model = embed(graph, tangents, count, progress);
+            const Model model = embed(graph, tangents, count);
             set_eigengap(graph, model.components.front().eigenvalues, result);
         }
         return result;

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "base/progress.hpp"
 #include "linalg/matrix.hpp"
 #include "ltsa/graph.hpp"
 #include "ltsa/parameters.hpp"
@@ -37,14 +36,12 @@ struct Dimension {
 /// parameters.dimension is the tangent dimension D that B is built with. If the frames are
 /// degenerate, both estimates are undetermined, with the reason.
 Dimension intrinsic_dimension(ConstMatrixView frames, std::span<const std::int64_t> lengths,
-                              const Parameters& parameters, const DimensionOptions& options,
-                              const Progress& progress);
+                              const Parameters& parameters, const DimensionOptions& options);
 
 // The same in steps, for an existing graph whose embedding is needed anyway.
 
 /// The estimate by local PCA. `tangents`: D.
-Dimension local_dimension(const Graph& graph, int tangents, const DimensionOptions& options,
-                          const Progress& progress);
+Dimension local_dimension(const Graph& graph, int tangents, const DimensionOptions& options);
 int eigenvalues_of_gap(const Graph& graph, int tangents);
 /// Adds the estimate by the eigengap, from the first eigenvalues_of_gap() eigenvalues of B.
 void set_eigengap(const Graph& graph, std::span<const double> eigenvalues, Dimension& result);

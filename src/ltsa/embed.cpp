@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/progress.hpp"
 #include "ltsa/alignment/alignment.hpp"
 #include "ltsa/alignment/patches.hpp"
 #include "ltsa/spectrum/spectrum.hpp"
@@ -85,7 +86,7 @@ Component summarize(const Patches& patches, const Spectrum& spectrum, int dimens
 /// Table 1, step 4; Table 1, step 5: embeds a component and writes its rows of `coords` (distinct
 /// frames x dimension).
 Component embed_component(const Graph& graph, std::int64_t index, int dimension, int eigenvalues,
-                          const Progress& progress, Matrix& coords) {
+                          Matrix& coords) {
     const auto& members = graph.components.members[static_cast<std::size_t>(index)];
     const Machine machine{graph.parameters.simd, graph.parameters.threads};
     const Patches patches(graph.neighborhoods, graph.tangents, graph.components, index, dimension,
@@ -100,15 +101,13 @@ Component embed_component(const Graph& graph, std::int64_t index, int dimension,
              "the frames vary in fewer than {} directions everywhere; use a "
              "lower dimension",
              dimension);
-    const auto poll = [&] { progress.report(Stage::alignment, 0.0); };
-    poll();
+    report_progress(Stage::alignment, 0.0);
     const bool banded = graph.parameters.mode == Mode::temporal;
-    const auto alignment = banded ? difference_alignment(patches, machine, poll)
-                                  : grounded_alignment(patches, machine, poll);
-    progress.report(Stage::alignment, 1.0);
+    const auto alignment =
+        banded ? difference_alignment(patches, machine) : grounded_alignment(patches, machine);
+    report_progress(Stage::alignment, 1.0);
     const Spectrum spectrum = smallest_eigenpairs(
-        *alignment, std::min<std::int64_t>(eigenvalues - 1, patches.frames() - 1), dimension,
-        progress);
+        *alignment, std::min<std::int64_t>(eigenvalues - 1, patches.frames() - 1), dimension);
     set_coords(spectrum.vectors, members, machine, coords);
     Component component = summarize(patches, spectrum, dimension, eigenvalues);
     component.error_estimate =
@@ -137,7 +136,7 @@ void set_frames(const Graph& graph, const Matrix& coords, Model& model) {
 
 } // namespace
 
-Model embed(const Graph& graph, int dimension, int eigenvalues, const Progress& progress) {
+Model embed(const Graph& graph, int dimension, int eigenvalues) {
     Model model;
     model.parameters = graph.parameters;
     model.parameters.dimension = dimension;
@@ -145,10 +144,10 @@ Model embed(const Graph& graph, int dimension, int eigenvalues, const Progress& 
     model.repeated_frames = graph.frames.repeated;
     Matrix coords = Matrix::unset(graph.frames.x.rows, dimension);
     const std::int64_t count = graph.components.count;
-    for (std::int64_t c = 0; c < count; ++c)
-        model.components.push_back(
-            embed_component(graph, c, dimension, eigenvalues, progress.part(c, count), coords));
-
+    for (std::int64_t c = 0; c < count; ++c) {
+        const PartOfStages part(c, count);
+        model.components.push_back(embed_component(graph, c, dimension, eigenvalues, coords));
+    }
     set_frames(graph, coords, model);
     model.time_correlation = time_correlation(graph, coords);
     model.warnings = warnings_of(graph, model);

@@ -2,7 +2,6 @@
 // The part of a fit that depends on the number of coordinates (Table 1, step 4; Table 1, step 5).
 #pragma once
 
-#include "base/progress.hpp"
 #include "ltsa/graph.hpp"
 #include "ltsa/model.hpp"
 
@@ -16,6 +15,6 @@ constexpr int eigenvalues_of_fit(int dimension) {
 
 /// Embeds every component with the graph's first `dimension` tangents. `eigenvalues`: number per
 /// component, including the zero one.
-Model embed(const Graph& graph, int dimension, int eigenvalues, const Progress& progress);
+Model embed(const Graph& graph, int dimension, int eigenvalues);
 
 } // namespace stltsa::ltsa

@@ -27,11 +27,10 @@ void check_dimension(std::int64_t features, int dimension) {
 }
 
 Model fit(ConstMatrixView frames, std::span<const std::int64_t> lengths,
-          const Parameters& parameters, const Progress& progress) {
+          const Parameters& parameters) {
     check_dimension(frames.cols, parameters.dimension);
-    const Graph graph = build_graph(frames, lengths, parameters, progress);
-    Model model =
-        embed(graph, parameters.dimension, eigenvalues_of_fit(parameters.dimension), progress);
+    const Graph graph = build_graph(frames, lengths, parameters);
+    Model model = embed(graph, parameters.dimension, eigenvalues_of_fit(parameters.dimension));
     model.lengths.assign(lengths.begin(), lengths.end());
     return model;
 }

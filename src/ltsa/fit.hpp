@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <span>
 
-#include "base/progress.hpp"
 #include "linalg/matrix.hpp"
 #include "ltsa/model.hpp"
 
@@ -15,7 +14,7 @@ namespace stltsa::ltsa {
 /// passed check_frames(). Throws if frames are too few or degenerate, parameters are out of range,
 /// memory runs out, or the call is cancelled.
 Model fit(ConstMatrixView frames, std::span<const std::int64_t> lengths,
-          const Parameters& parameters, const Progress& progress);
+          const Parameters& parameters);
 
 /// Throws, before any work, if there are more coordinates than features.
 void check_dimension(std::int64_t features, int dimension);

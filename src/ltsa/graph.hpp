@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <span>
 
-#include "base/progress.hpp"
 #include "ltsa/frames.hpp"
 #include "ltsa/neighbors/components.hpp"
 #include "ltsa/neighbors/neighbors.hpp"
@@ -25,7 +24,7 @@ struct Graph {
 
 /// `frames` and `lengths` have passed check_frames().
 Graph build_graph(ConstMatrixView frames, std::span<const std::int64_t> lengths,
-                  const Parameters& parameters, const Progress& progress);
+                  const Parameters& parameters);
 
 /// The largest number of coordinates that can be embedded: in every component, some window varies
 /// in so many directions.

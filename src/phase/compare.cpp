@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/checkpoint.hpp"
 #include "base/numbers.hpp"
 #include "linalg/simd.hpp"
 #include "phase/lag.hpp"
@@ -22,12 +23,12 @@ struct Curves {
     std::vector<Matrix> chosen; ///< what the views refer to, unless all columns were chosen
 };
 
-Curves curves_of(const Resampled& from, const Columns& columns, PacedPoll& polls) {
+Curves curves_of(const Resampled& from, const Columns& columns) {
     Curves curves;
     const auto view_of = [&](const Matrix& samples) -> ConstMatrixView {
         if (std::ssize(columns) == samples.cols())
             return once_around(samples);
-        return curves.chosen.emplace_back(chosen(once_around(samples), columns, polls)).view();
+        return curves.chosen.emplace_back(chosen(once_around(samples), columns)).view();
     };
     curves.mean = view_of(from.mean);
     for (const Matrix& cycle : from.each)
@@ -35,11 +36,11 @@ Curves curves_of(const Resampled& from, const Columns& columns, PacedPoll& polls
     return curves;
 }
 
-double inner(ConstMatrixView a, ConstMatrixView b, PacedPoll& polls) {
+double inner(ConstMatrixView a, ConstMatrixView b) {
     double sum = 0;
     for (std::int64_t s = 0; s < a.rows; ++s) {
         sum += dot(a.row(s), b.row(s), a.cols);
-        polls.did(2 * a.cols);
+        checkpoint(2 * a.cols);
     }
     return sum;
 }
@@ -53,26 +54,23 @@ struct Timing {
 /// The lag is where <A(s), B(s + lag)> is greatest, so <A'(s), B(s + lag)> = 0 there: a cycle that
 /// deviates from B by b moves it by -<A', b> / <A', B'>, one that deviates from A by a by
 /// <a, B'> / <A', B'>.
-Timing timing_of(const Curves& first, const Curves& second, std::int64_t most, double least,
-                 PacedPoll& polls) {
+Timing timing_of(const Curves& first, const Curves& second, std::int64_t most, double least) {
     Timing timing;
-    timing.lag = lag_between(first.mean, second.mean, most, polls);
+    timing.lag = lag_between(first.mean, second.mean, most);
     if (!(timing.lag.correlation >= least))
         timing.lag.samples = none;
     if (std::isnan(timing.lag.samples))
         return timing;
     const double lag = timing.lag.samples, count = static_cast<double>(first.mean.rows);
-    const Matrix rise = slope(first.mean, polls),
-                 other_rise = slope(later(second.mean, lag, polls).view(), polls);
-    const Matrix rise_there = later(rise.view(), -lag, polls);
-    const double bend = -inner(rise.view(), other_rise.view(), polls) * count;
-    const double level = inner(first.mean, other_rise.view(), polls);
+    const Matrix rise = slope(first.mean), other_rise = slope(later(second.mean, lag).view());
+    const Matrix rise_there = later(rise.view(), -lag);
+    const double bend = -inner(rise.view(), other_rise.view()) * count;
+    const double level = inner(first.mean, other_rise.view());
     for (const ConstMatrixView& cycle : first.each)
-        timing.first.deviations.push_back((inner(cycle, other_rise.view(), polls) - level) / bend);
-    const double other_level = inner(second.mean, rise_there.view(), polls);
+        timing.first.deviations.push_back((inner(cycle, other_rise.view()) - level) / bend);
+    const double other_level = inner(second.mean, rise_there.view());
     for (const ConstMatrixView& cycle : second.each)
-        timing.second.deviations.push_back((inner(cycle, rise_there.view(), polls) - other_level) /
-                                           bend);
+        timing.second.deviations.push_back((inner(cycle, rise_there.view()) - other_level) / bend);
     timing.second.value = lag / count;
     return timing;
 }
@@ -93,7 +91,7 @@ double squared_distance_between(ConstMatrixView curve, std::int64_t a, std::int6
 
 /// The distance between the two points of the mean curve that are farthest apart; for a cycle, the
 /// distance between the same two points in that direction.
-Quantity amplitude_of(const Curves& curves, PacedPoll& polls) {
+Quantity amplitude_of(const Curves& curves) {
     std::int64_t from = 0, to = 0;
     double most = 0;
     for (std::int64_t a = 0; a < curves.mean.rows; ++a)
@@ -103,7 +101,7 @@ Quantity amplitude_of(const Curves& curves, PacedPoll& polls) {
                 from = a;
                 to = b;
             }
-            polls.did(curves.mean.cols);
+            checkpoint(curves.mean.cols);
         }
     Quantity amplitude{std::sqrt(most), {}};
     for (const ConstMatrixView& cycle : curves.each) {
@@ -166,13 +164,13 @@ Quantity sample_of(const Resampled& cycles, std::int64_t index) {
     return sample;
 }
 
-void set_pointwise(const Resampled& first, const Resampled& second, bool paired, PacedPoll& polls,
+void set_pointwise(const Resampled& first, const Resampled& second, bool paired,
                    Differences& result) {
     const std::int64_t rows = first.mean.rows(), cols = first.mean.cols();
     const auto for_each = [&](auto use) {
         for (std::int64_t i = 0; i < rows * cols; ++i) {
             use(i, sample_of(first, i), sample_of(second, i));
-            polls.did(4 * (std::ssize(first.each) + std::ssize(second.each)));
+            checkpoint(4 * (std::ssize(first.each) + std::ssize(second.each)));
         }
     };
     Dependences all(paired);
@@ -198,16 +196,16 @@ struct Measured {
 
 /// `whole`: the timing of all columns, which is subtracted; null: nothing is.
 Measured measured(const Resampled& first, const Resampled& second, const Columns& columns,
-                  const Timing* whole, PacedPoll& polls) {
-    const Curves one = curves_of(first, columns, polls), other = curves_of(second, columns, polls);
+                  const Timing* whole) {
+    const Curves one = curves_of(first, columns), other = curves_of(second, columns);
     Measured made;
-    made.timing = timing_of(one, other, one.mean.rows / 4, least_correlation, polls);
+    made.timing = timing_of(one, other, one.mean.rows / 4, least_correlation);
     if (whole != nullptr && !std::isnan(made.timing.lag.samples)) {
         subtract(whole->first, made.timing.first);
         subtract(whole->second, made.timing.second);
     }
-    made.amplitude = amplitude_of(one, polls);
-    made.other_amplitude = amplitude_of(other, polls);
+    made.amplitude = amplitude_of(one);
+    made.other_amplitude = amplitude_of(other);
     if (columns.size() == 1) {
         made.level = level_of(one);
         made.other_level = level_of(other);
@@ -227,8 +225,7 @@ Dependence dependence_in(const std::vector<Measured>& all, bool paired, First fi
 
 std::vector<PartDifference> differences_of(const std::vector<Measured>& all,
                                            const std::vector<Columns>& columns,
-                                           const Differences& pointwise, bool paired,
-                                           PacedPoll& polls) {
+                                           const Differences& pointwise, bool paired) {
     const auto first_timing = [](const Measured& of) -> auto& {
         return of.timing.first;
     };
@@ -256,19 +253,19 @@ std::vector<PartDifference> differences_of(const std::vector<Measured>& all,
         part.ratio = ratio_of(of.amplitude, of.other_amplitude, size);
         part.mean =
             of.level.deviations.empty() ? unknown : estimate(of.level, of.other_level, level);
-        polls.did(8 * pointwise.difference.rows() * std::ssize(columns[p]));
+        checkpoint(8 * pointwise.difference.rows() * std::ssize(columns[p]));
     }
     return parts;
 }
 
 } // namespace
 
-Matrix chosen(ConstMatrixView from, const std::vector<std::int64_t>& columns, PacedPoll& polls) {
+Matrix chosen(ConstMatrixView from, const std::vector<std::int64_t>& columns) {
     Matrix result = Matrix::unset(from.rows, std::ssize(columns));
     for (std::int64_t s = 0; s < from.rows; ++s) {
         for (std::size_t c = 0; c < columns.size(); ++c)
             result(s, static_cast<std::int64_t>(c)) = from(s, columns[c]);
-        polls.did(2 * std::ssize(columns));
+        checkpoint(2 * std::ssize(columns));
     }
     return result;
 }
@@ -278,11 +275,9 @@ ConstMatrixView once_around(const Matrix& samples) {
 }
 
 Differences compare(const Resampled& first, const Resampled& second,
-                    std::span<const std::int64_t> groups, bool paired,
-                    const std::function<void()>& poll) {
-    PacedPoll polls(poll);
+                    std::span<const std::int64_t> groups, bool paired) {
     Differences result;
-    set_pointwise(first, second, paired, polls, result);
+    set_pointwise(first, second, paired, result);
     Columns all;
     std::vector<Columns> parts(static_cast<std::size_t>(std::ranges::max(groups) + 1)), single;
     for (std::size_t c = 0; c < groups.size(); ++c) {
@@ -290,8 +285,8 @@ Differences compare(const Resampled& first, const Resampled& second,
         single.push_back({all.back()});
         parts[static_cast<std::size_t>(groups[c])].push_back(all.back());
     }
-    const Curves body = curves_of(first, all, polls), other = curves_of(second, all, polls);
-    const Timing whole = timing_of(body, other, body.mean.rows / 2, -1, polls);
+    const Curves body = curves_of(first, all), other = curves_of(second, all);
+    const Timing whole = timing_of(body, other, body.mean.rows / 2, -1);
     result.likeness = whole.lag.correlation;
     result.runner_up = whole.lag.runner_up;
     const bool aligned = !paired && !std::isnan(whole.lag.samples);
@@ -303,8 +298,8 @@ Differences compare(const Resampled& first, const Resampled& second,
     const auto of = [&](const std::vector<Columns>& chosen) {
         std::vector<Measured> made;
         for (const Columns& columns : chosen)
-            made.push_back(measured(first, second, columns, aligned ? &whole : nullptr, polls));
-        return differences_of(made, chosen, result, paired, polls);
+            made.push_back(measured(first, second, columns, aligned ? &whole : nullptr));
+        return differences_of(made, chosen, result, paired);
     };
     result.parts = of(parts);
     // Columns of plain numbers are parts of their own.

@@ -4,11 +4,9 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
-#include "base/progress.hpp"
 #include "phase/estimate.hpp"
 #include "phase/resample.hpp"
 
@@ -40,13 +38,12 @@ struct Differences {
 
 /// No sample may be missing. `groups`: the index of the group of each column. `paired`: cycle k is
 /// the same cycle in both; otherwise lags are relative to that of all columns together, whose
-/// deviations are subtracted from theirs. `poll`: called periodically, may throw.
+/// deviations are subtracted from theirs.
 Differences compare(const Resampled& first, const Resampled& second,
-                    std::span<const std::int64_t> groups, bool paired,
-                    const std::function<void()>& poll = {});
+                    std::span<const std::int64_t> groups, bool paired);
 
 /// Some of the columns.
-Matrix chosen(ConstMatrixView from, const std::vector<std::int64_t>& columns, PacedPoll& polls);
+Matrix chosen(ConstMatrixView from, const std::vector<std::int64_t>& columns);
 
 /// Samples of a cycle without the last one, which repeats the first.
 ConstMatrixView once_around(const Matrix& samples);

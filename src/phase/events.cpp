@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/checkpoint.hpp"
 #include "base/numbers.hpp"
-#include "base/progress.hpp"
 #include "linalg/simd.hpp"
 #include "motion/curve/extrema.hpp"
 #include "motion/curve/statistics.hpp"
@@ -77,9 +77,8 @@ struct Template {
     Rows weights; ///< of the columns
 };
 
-Matrix typical(const std::vector<Matrix>& windows, const std::function<void()>& poll) {
+Matrix typical(const std::vector<Matrix>& windows) {
     constexpr std::int64_t work_of_median = 8; // compared with adding
-    PacedPoll polls(poll);
     Matrix values(windows.front().rows(), windows.front().cols());
     Rows of_all(windows.size());
     for (std::int64_t i = 0; i < values.rows() * values.cols(); ++i) {
@@ -88,15 +87,13 @@ Matrix typical(const std::vector<Matrix>& windows, const std::function<void()>& 
             sum += of_all[w] = windows[w].data()[i];
         values.data()[i] = windows.size() < many ? sum / static_cast<double>(windows.size())
                                                  : motion::median(of_all);
-        polls.did(work_of_median * std::ssize(windows));
+        checkpoint(work_of_median * std::ssize(windows));
     }
     return values;
 }
 
 /// Columns count by how little they vary about the template.
-Rows weights_of(const std::vector<Matrix>& windows, const Matrix& about,
-                const std::function<void()>& poll) {
-    PacedPoll polls(poll);
+Rows weights_of(const std::vector<Matrix>& windows, const Matrix& about) {
     Rows variance(static_cast<std::size_t>(about.cols()));
     for (const Matrix& each : windows)
         for (std::int64_t r = 0; r < about.rows(); ++r) {
@@ -104,7 +101,7 @@ Rows weights_of(const std::vector<Matrix>& windows, const Matrix& about,
                 const double off = each(r, c) - about(r, c);
                 variance[static_cast<std::size_t>(c)] += off * off;
             }
-            polls.did(2 * about.cols());
+            checkpoint(2 * about.cols());
         }
     double mean = 0;
     for (const double v : variance)
@@ -144,9 +141,6 @@ double refined(const Searched& in, double row, const Template& like, const Rows&
     const double end = std::min(center + far, last - offsets.back());
     if ((end - begin) * places < 2)
         return none;
-    if (in.poll)
-        in.poll();
-    PacedPoll polls(in.poll);
     // Windows overlap: offsets are whole places.
     const auto count = std::llround((end - begin) * places) + 1;
     const std::int64_t step =
@@ -158,7 +152,7 @@ double refined(const Searched& in, double row, const Template& like, const Rows&
     for (std::int64_t i = 0; i < count; ++i) {
         costs.push_back(
             cost_of({strip.row(i), std::ssize(offsets), strip.cols(), step * strip.cols()}, like));
-        polls.did(std::ssize(offsets) * strip.cols());
+        checkpoint(std::ssize(offsets) * strip.cols());
     }
     return begin + lowest(costs) / places;
 }
@@ -238,12 +232,11 @@ void shift(Rows& places, double by) {
 std::vector<Matrix> taught(const Searched& in, const std::vector<Candidate>& candidates,
                            const Rows& places, const Rows& offsets) {
     const auto teachers = std::ranges::count_if(candidates, &Candidate::teaches);
-    PacedPoll polls(in.poll);
     std::vector<Matrix> windows;
     for (std::size_t i = 0; i < candidates.size(); ++i)
         if (candidates[i].teaches || teachers < 2) {
             windows.push_back(window(in.fine, places[i], offsets));
-            polls.did(4 * std::ssize(offsets) * in.fine.cols());
+            checkpoint(4 * std::ssize(offsets) * in.fine.cols());
         }
     return windows;
 }
@@ -256,8 +249,8 @@ Rows group_places(const Searched& in, const std::vector<Candidate>& candidates,
     Rows places = start;
     for (int round = 0; round < rounds; ++round) {
         const auto windows = taught(in, candidates, places, offsets);
-        Template like{typical(windows, in.poll), {}};
-        like.weights = weights_of(windows, like.values, in.poll);
+        Template like{typical(windows), {}};
+        like.weights = weights_of(windows, like.values);
         Rows moved;
         for (std::size_t i = 0; i < start.size(); ++i) {
             const double at = refined(in, start[i], like, offsets);
@@ -281,7 +274,7 @@ Rows direct_places(const Searched& in, const std::vector<Candidate>& candidates,
     for (const Matrix& each : marked)
         axpy(1 / static_cast<double>(marked.size()), each.data(), mean.data(),
              mean.rows() * mean.cols());
-    const Template like{std::move(mean), weights_of(windows, typical(windows, in.poll), in.poll)};
+    const Template like{std::move(mean), weights_of(windows, typical(windows))};
     Rows places;
     for (const Candidate& candidate : candidates) {
         const double at = refined(in, candidate.row, like, offsets);
@@ -313,8 +306,7 @@ double milliseconds(const Searched& in, double rows) {
 
 /// The phase of `to` that looks like a phase of `from`.
 double mapped_phase(const MeanCycle& from, const MeanCycle& to, const motion::Offset& offset,
-                    double phase, const std::function<void()>& poll) {
-    PacedPoll polls(poll);
+                    double phase) {
     constexpr std::int64_t places = 100, turns = 3;
     Loop centered = from.loop;
     std::fill_n(centered.coefficients.row(0), centered.cols(), 0.0);
@@ -328,11 +320,11 @@ double mapped_phase(const MeanCycle& from, const MeanCycle& to, const motion::Of
         other.at(run.phase.back() + offset.shift, cycle.row(i));
         for (std::int64_t c = 0; c < cycle.cols(); ++c)
             cycle(i, c) *= scale;
-        polls.did(2 * other.harmonics() * other.cols());
+        checkpoint(2 * other.harmonics() * other.cols());
     }
     const MeanCycle mean{std::move(centered), places, from.variance};
     const Run start = run;
-    const Run found = register_with(cycle.view(), mean, std::move(run), 0.2, map_share, poll);
+    const Run found = register_with(cycle.view(), mean, std::move(run), 0.2, map_share);
     const double wanted = 1 + phase - std::floor(phase);
     return start.phase_at(found.row_at(wanted)) + offset.shift;
 }
@@ -341,7 +333,7 @@ double mapped_phase(const MeanCycle& from, const MeanCycle& to, const motion::Of
 Matrix group_window(const Searched& in, const std::vector<Candidate>& candidates, Rows places,
                     double by, const Rows& offsets) {
     shift(places, by);
-    return typical(taught(in, candidates, places, offsets), in.poll);
+    return typical(taught(in, candidates, places, offsets));
 }
 
 } // namespace
@@ -388,13 +380,13 @@ std::vector<Event> find_events(const Searched& from, const Place& marks, const S
     Rows marked = group_places(from, sources, offsets);
     shift(marked, offset_from(from, marked, marks));
     const auto windows = taught(from, sources, marked, offsets);
-    Template like{typical(windows, in.poll), {}};
-    like.weights = weights_of(windows, like.values, in.poll);
+    Template like{typical(windows), {}};
+    like.weights = weights_of(windows, like.values);
     // The same share of a cycle.
     Rows scaled = offsets;
     for (double& each : scaled)
         each *= in.mean.period / from.mean.period;
-    double mapped = mapped_phase(from.mean, in.mean, offset, phase, in.poll);
+    double mapped = mapped_phase(from.mean, in.mean, offset, phase);
     if (!in.cyclic) // a repetition has its events in its own turn
         mapped -= std::round(mapped - phase);
     const auto candidates = candidates_at(in, mapped, offsets_of(in));

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/progress.hpp"
+#include "base/checkpoint.hpp"
 #include "linalg/gaussian.hpp"
 #include "linalg/simd.hpp"
 #include "motion/cycles/pose_and_velocity.hpp"
@@ -18,7 +18,7 @@ constexpr double places_per_second = 100;
 constexpr double acceleration_weight = 0.5;
 
 /// Second derivatives of the natural cubic spline through each column, row by row.
-Matrix spline_bends(const Matrix& values, PacedPoll& polls) {
+Matrix spline_bends(const Matrix& values) {
     const std::int64_t n = values.rows(), p = values.cols();
     Matrix bends = Matrix::unset(n, p);
     std::fill_n(bends.row(0), p, 0.0);
@@ -33,37 +33,35 @@ Matrix spline_bends(const Matrix& values, PacedPoll& polls) {
         axpy(-12, values.row(i), bends.row(i), p);
         axpy(6, values.row(i + 1), bends.row(i), p);
         axpy(-before, bends.row(i - 1), bends.row(i), p);
-        polls.did(4 * p);
+        checkpoint(4 * p);
     }
     for (std::int64_t i = n - 2; i > 0; --i) {
         axpy(-1, bends.row(i + 1), bends.row(i), p);
         for (std::int64_t c = 0; c < p; ++c)
             bends(i, c) /= pivot[static_cast<std::size_t>(i)];
-        polls.did(2 * p);
+        checkpoint(2 * p);
     }
     return bends;
 }
 
 } // namespace
 
-FineRows::FineRows(ConstMatrixView rows, double rate, double period,
-                   const std::function<void()>& poll)
+FineRows::FineRows(ConstMatrixView rows, double rate, double period)
     : places_(std::max<std::int64_t>(
           1, static_cast<std::int64_t>(std::ceil(places_per_second / rate - 1e-9)))) {
     const double scale = period / (2 * std::numbers::pi);
-    const Matrix smooth = gaussian_smoothed(rows, smoothing_s * rate, Beyond::reflection, 1, poll);
-    const Matrix velocity = motion::differences(smooth.view(), poll);
-    const Matrix acceleration = motion::differences(velocity.view(), poll);
-    PacedPoll polls(poll);
+    const Matrix smooth = gaussian_smoothed(rows, smoothing_s * rate, Beyond::reflection, 1);
+    const Matrix velocity = motion::differences(smooth.view());
+    const Matrix acceleration = motion::differences(velocity.view());
     values_ = Matrix::unset(rows.rows, 2 * rows.cols);
     for (std::int64_t i = 0; i < rows.rows; ++i) {
         std::fill_n(values_.row(i), values_.cols(), 0.0);
         axpy(scale, velocity.row(i), values_.row(i), rows.cols);
         axpy(acceleration_weight * scale * scale, acceleration.row(i), values_.row(i) + rows.cols,
              rows.cols);
-        polls.did(2 * rows.cols);
+        checkpoint(2 * rows.cols);
     }
-    bends_ = spline_bends(values_, polls);
+    bends_ = spline_bends(values_);
 }
 
 void FineRows::at(double row, double* values) const {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "linalg/matrix.hpp"
@@ -15,9 +14,8 @@ namespace stltsa::phase {
 /// found to a fraction of a frame.
 class FineRows {
   public:
-    /// `rate`: rows per second; `period`: rows; `poll`: called periodically, may throw.
-    FineRows(ConstMatrixView rows, double rate, double period,
-             const std::function<void()>& poll = {});
+    /// `rate`: rows per second; `period`: rows.
+    FineRows(ConstMatrixView rows, double rate, double period);
 
     std::int64_t rows() const { return values_.rows(); }
     std::int64_t cols() const { return values_.cols(); }

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 
-#include "base/progress.hpp"
 #include "linalg/matrix.hpp"
 
 namespace stltsa::phase {
@@ -24,25 +23,12 @@ struct Lag {
 
 /// The lag, at most `most` samples, at which the curves match best once their means are subtracted:
 /// the peak of the parabola through the highest correlation and its two neighbors.
-Lag lag_between(ConstMatrixView first, ConstMatrixView second, std::int64_t most, PacedPoll& polls);
+Lag lag_between(ConstMatrixView first, ConstMatrixView second, std::int64_t most);
+
 /// Each sample has the value from `shift` samples later; linear between samples, cyclic.
-Matrix later(ConstMatrixView curves, double shift, PacedPoll& polls);
+Matrix later(ConstMatrixView curves, double shift);
 
 /// Change per sample: central differences, cyclic.
-Matrix slope(ConstMatrixView curves, PacedPoll& polls);
-
-// The same for short curves.
-inline Lag lag_between(ConstMatrixView first, ConstMatrixView second, std::int64_t most) {
-    PacedPoll never({});
-    return lag_between(first, second, most, never);
-}
-inline Matrix later(ConstMatrixView curves, double shift) {
-    PacedPoll never({});
-    return later(curves, shift, never);
-}
-inline Matrix slope(ConstMatrixView curves) {
-    PacedPoll never({});
-    return slope(curves, never);
-}
+Matrix slope(ConstMatrixView curves);
 
 } // namespace stltsa::phase

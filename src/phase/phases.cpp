@@ -43,14 +43,13 @@ Run linear_run(const Borders& borders, std::int64_t rows) {
 
 /// Cycles of one sequence may begin elsewhere than those of another: all are shifted to the longest
 /// one.
-void align(ConstMatrixView rows, double period, const std::function<void()>& poll,
-           std::vector<Run>& runs) {
+void align(ConstMatrixView rows, double period, std::vector<Run>& runs) {
     const auto longest = std::ranges::max_element(runs, {}, &Run::rows);
-    const Loop loop = motion::fit_loop(rows, {&*longest, 1}, motion::harmonics_for(period), poll);
+    const Loop loop = motion::fit_loop(rows, {&*longest, 1}, motion::harmonics_for(period));
     for (Run& run : runs) {
         if (&run == &*longest)
             continue;
-        const Loop own = motion::fit_loop(rows, {&run, 1}, motion::harmonics_for(period), poll);
+        const Loop own = motion::fit_loop(rows, {&run, 1}, motion::harmonics_for(period));
         const double shift = motion::offset_between(loop, own).shift;
         for (double& phase : run.phase)
             phase -= shift > 0.5 ? shift - 1 : shift;
@@ -130,11 +129,10 @@ std::vector<Run> linear_runs(std::span<const Borders> sequences, std::int64_t ro
 }
 
 std::vector<std::vector<double>> distances_of(ConstMatrixView both, const MeanCycle& mean,
-                                              const std::vector<Run>& runs,
-                                              const std::function<void()>& poll) {
+                                              const std::vector<Run>& runs) {
     std::vector<std::vector<double>> distances;
     for (const Run& run : runs)
-        distances.push_back(motion::residuals(both, mean, run, poll));
+        distances.push_back(motion::residuals(both, mean, run));
     return distances;
 }
 
@@ -149,20 +147,19 @@ double mean_square(const std::vector<std::vector<double>>& all) {
 }
 
 /// Phases that begin as `runs`.
-Phases registered(ConstMatrixView both, std::vector<Run> runs, double period,
-                  const std::function<void()>& poll) {
-    motion::Registration found = motion::register_runs(both, runs, period, motion::smooth_share,
-                                                       motion::nearly_settled, poll);
+Phases registered(ConstMatrixView both, std::vector<Run> runs, double period) {
+    motion::Registration found =
+        motion::register_runs(both, runs, period, motion::smooth_share, motion::nearly_settled);
     Phases phases;
     phases.mean = std::move(found.mean);
     phases.runs = std::move(found.runs);
-    phases.distances = distances_of(both, phases.mean, phases.runs, poll);
+    phases.distances = distances_of(both, phases.mean, phases.runs);
     phases.residual = mean_square(phases.distances);
     phases.linear = phases.residual > most_residual;
     if (phases.linear) {
         phases.runs = std::move(runs);
-        phases.mean.loop = motion::fit_loop(both, phases.runs, motion::harmonics_for(period), poll);
-        phases.distances = distances_of(both, phases.mean, phases.runs, poll);
+        phases.mean.loop = motion::fit_loop(both, phases.runs, motion::harmonics_for(period));
+        phases.distances = distances_of(both, phases.mean, phases.runs);
     }
     return phases;
 }
@@ -170,12 +167,12 @@ Phases registered(ConstMatrixView both, std::vector<Run> runs, double period,
 } // namespace
 
 Phases find_phases(ConstMatrixView rows, double rate, std::span<const Borders> sequences,
-                   std::span<const double> side, const std::function<void()>& poll) {
+                   std::span<const double> side) {
     const double period = typical_length(sequences);
-    const Matrix both = motion::pose_and_velocity(rows, rate, period, poll);
+    const Matrix both = motion::pose_and_velocity(rows, rate, period);
     std::vector<Run> runs = linear_runs(sequences, rows.rows);
-    align(both.view(), period, poll, runs);
-    Phases phases = registered(both.view(), std::move(runs), period, poll);
+    align(both.view(), period, runs);
+    Phases phases = registered(both.view(), std::move(runs), period);
     shift_zero(phase_of_borders(sequences, phases.runs), phases);
     count_from_first(sequences, phases.runs);
     phases.zero = body_zero(phases.mean.loop, side);
@@ -184,11 +181,10 @@ Phases find_phases(ConstMatrixView rows, double rate, std::span<const Borders> s
 }
 
 Phases find_phases_of_repetitions(ConstMatrixView rows, double rate,
-                                  std::span<const Borders> repetitions,
-                                  const std::function<void()>& poll) {
+                                  std::span<const Borders> repetitions) {
     const double period = typical_length(repetitions);
-    const Matrix both = motion::pose_and_velocity(rows, rate, period, poll);
-    Phases phases = registered(both.view(), linear_runs(repetitions, rows.rows), period, poll);
+    const Matrix both = motion::pose_and_velocity(rows, rate, period);
+    Phases phases = registered(both.view(), linear_runs(repetitions, rows.rows), period);
     phases.cyclic = false;
     return phases;
 }

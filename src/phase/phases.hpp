@@ -2,7 +2,6 @@
 // The phase of every row of a motion that repeats.
 #pragma once
 
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -39,14 +38,13 @@ struct Phases {
 /// Phases of the rows within the cycles. `rows`: features, not smoothed, finite; `rate`: rows per
 /// second. `side`: one weight for each column, whose weighted sum shows which side of the body is
 /// forward; empty: unknown. Sequences have a cycle of at least four rows each, and lie within the
-/// rows. `poll`: of pose_and_velocity().
+/// rows.
 Phases find_phases(ConstMatrixView rows, double rate, std::span<const Borders> sequences,
-                   std::span<const double> side, const std::function<void()>& poll = {});
+                   std::span<const double> side);
 
 /// The same of an action that is repeated with pauses: each sequence is one repetition, from phase
 /// 0 to 1.
 Phases find_phases_of_repetitions(ConstMatrixView rows, double rate,
-                                  std::span<const Borders> repetitions,
-                                  const std::function<void()>& poll = {});
+                                  std::span<const Borders> repetitions);
 
 } // namespace stltsa::phase

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "base/checkpoint.hpp"
 #include "base/numbers.hpp"
-#include "base/progress.hpp"
 
 namespace stltsa::phase {
 namespace {
@@ -43,10 +43,10 @@ std::optional<Between> between(double place, std::int64_t rows, const Range& rep
 }
 
 Matrix linear_rows(ConstMatrixView signals, const double* places, std::int64_t count,
-                   const Range& repeated, PacedPoll& polls) {
+                   const Range& repeated) {
     Matrix result = Matrix::unset(count, signals.cols);
     for (std::int64_t s = 0; s < count; ++s) {
-        polls.did(2 * signals.cols);
+        checkpoint(2 * signals.cols);
         const std::optional<Between> place = between(places[s], signals.rows, repeated);
         if (!place) {
             std::fill_n(result.row(s), signals.cols, none);
@@ -61,7 +61,7 @@ Matrix linear_rows(ConstMatrixView signals, const double* places, std::int64_t c
 }
 
 /// Mean and standard deviation over the cycles, of the values that are known.
-void set_spread(Resampled& made, PacedPoll& polls) {
+void set_spread(Resampled& made) {
     const std::int64_t rows = made.each.front().rows(), cols = made.each.front().cols();
     made.mean = Matrix::unset(rows, cols);
     made.deviation = Matrix::unset(rows, cols);
@@ -78,7 +78,7 @@ void set_spread(Resampled& made, PacedPoll& polls) {
                 squares += (value - mean) * (value - mean);
         made.mean.data()[i] = mean;
         made.deviation.data()[i] = count > 1 ? std::sqrt(squares / (count - 1)) : none;
-        polls.did(2 * std::ssize(made.each));
+        checkpoint(2 * std::ssize(made.each));
     }
 }
 
@@ -95,7 +95,7 @@ double mean_square(std::int64_t samples, const Value& value_at) {
 }
 
 /// Sum over the columns of the variance along the mean cycle.
-double variance_of(const Matrix& mean, PacedPoll& polls) {
+double variance_of(const Matrix& mean) {
     double sum = 0;
     for (std::int64_t c = 0; c < mean.cols(); ++c) {
         double level = 0, count = 0;
@@ -107,13 +107,13 @@ double variance_of(const Matrix& mean, PacedPoll& polls) {
         const double square =
             mean_square(mean.rows(), [&](std::int64_t s) { return mean(s, c) - level / count; });
         sum += std::isnan(square) ? 0 : square;
-        polls.did(4 * mean.rows());
+        checkpoint(4 * mean.rows());
     }
     return sum;
 }
 
-void set_distances(Resampled& made, PacedPoll& polls) {
-    const double variance = variance_of(made.mean, polls);
+void set_distances(Resampled& made) {
+    const double variance = variance_of(made.mean);
     made.distance = Matrix(static_cast<std::int64_t>(made.each.size()), made.mean.cols());
     for (std::size_t k = 0; k < made.each.size(); ++k) {
         double squares = 0;
@@ -123,7 +123,7 @@ void set_distances(Resampled& made, PacedPoll& polls) {
             });
             made.distance(static_cast<std::int64_t>(k), c) = std::sqrt(square);
             squares += std::isnan(square) ? 0 : square;
-            polls.did(4 * made.mean.rows());
+            checkpoint(4 * made.mean.rows());
         }
         made.total.push_back(variance > 0 ? std::sqrt(squares / variance) : none);
     }
@@ -171,20 +171,18 @@ Matrix times_between(const Borders& borders, std::int64_t samples) {
     return rows;
 }
 
-Resampled resample(ConstMatrixView signals, Turns turns, const std::function<void()>& poll) {
-    PacedPoll polls(poll);
+Resampled resample(ConstMatrixView signals, Turns turns) {
     const Matrix& rows = turns.rows;
     std::vector<Matrix> each;
     for (std::int64_t k = 0; k < rows.rows(); ++k) {
         const Range repeated =
             turns.repeated.empty() ? Range{} : turns.repeated[static_cast<std::size_t>(k)];
-        each.push_back(linear_rows(signals, rows.row(k), rows.cols(), repeated, polls));
+        each.push_back(linear_rows(signals, rows.row(k), rows.cols(), repeated));
     }
-    return spread_of(std::move(turns.rows), std::move(each), poll);
+    return spread_of(std::move(turns.rows), std::move(each));
 }
 
-Resampled spread_of(Matrix rows, std::vector<Matrix> each, const std::function<void()>& poll) {
-    PacedPoll polls(poll);
+Resampled spread_of(Matrix rows, std::vector<Matrix> each) {
     Resampled made;
     made.each = std::move(each);
     made.warp = Matrix(rows.rows(), rows.cols());
@@ -194,8 +192,8 @@ Resampled spread_of(Matrix rows, std::vector<Matrix> each, const std::function<v
         for (std::int64_t s = 0; s <= last; ++s)
             made.warp(k, s) = (rows(k, s) - begin) / length - share_of(s, last + 1);
     }
-    set_spread(made, polls);
-    set_distances(made, polls);
+    set_spread(made);
+    set_distances(made);
     made.rows = std::move(rows);
     return made;
 }

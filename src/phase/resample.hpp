@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -44,10 +43,10 @@ struct Resampled {
 Matrix group_distance(const Resampled& of, std::span<const std::int64_t> groups);
 
 /// `signals`: a row each; NaN is a missing value and is left out of means. Linear between rows. A
-/// row that is NaN, or beyond the last one, has no values. `poll`: called periodically, may throw.
-Resampled resample(ConstMatrixView signals, Turns turns, const std::function<void()>& poll = {});
+/// row that is NaN, or beyond the last one, has no values.
+Resampled resample(ConstMatrixView signals, Turns turns);
 
 /// The same of cycles that are resampled already; `rows`: of each sample of each cycle.
-Resampled spread_of(Matrix rows, std::vector<Matrix> each, const std::function<void()>& poll = {});
+Resampled spread_of(Matrix rows, std::vector<Matrix> each);
 
 } // namespace stltsa::phase

@@ -50,17 +50,10 @@ void check_spread(const Place& place) {
 } // namespace
 
 Searched searched(ConstMatrixView rows, ConstMatrixView both, double rate, const Phases& phases,
-                  std::vector<Run> runs, const std::function<void()>& poll) {
+                  std::vector<Run> runs) {
     const double period = phases.mean.period;
-    Searched made{phases.mean,
-                  std::move(runs),
-                  {},
-                  {},
-                  0,
-                  rate,
-                  phases.cyclic,
-                  FineRows(rows, rate, period, poll),
-                  poll};
+    Searched made{
+        phases.mean, std::move(runs), {}, {}, 0, rate, phases.cyclic, FineRows(rows, rate, period)};
     std::vector<double> within;
     for (std::size_t r = 0; r < phases.runs.size(); ++r) {
         made.known.push_back({phases.runs[r].begin, phases.runs[r].end()});
@@ -68,9 +61,9 @@ Searched searched(ConstMatrixView rows, ConstMatrixView both, double rate, const
     }
     made.usual_distance = motion::median(within);
     for (const Run& run : made.runs) {
-        std::vector<double> distance = residuals(both, made.mean, run, poll);
-        const Matrix smooth = gaussian_smoothed({distance.data(), run.rows(), 1, 1}, period / 20,
-                                                Beyond::nothing, 1, poll);
+        std::vector<double> distance = residuals(both, made.mean, run);
+        const Matrix smooth =
+            gaussian_smoothed({distance.data(), run.rows(), 1, 1}, period / 20, Beyond::nothing, 1);
         made.distance.emplace_back(smooth.data(), smooth.data() + run.rows());
     }
     return made;

@@ -2,7 +2,6 @@
 // A motion in which events are looked for, and where marks lie in it.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -25,14 +24,12 @@ struct Searched {
     double rate = 0;                           ///< rows per second
     bool cyclic = true;                        ///< see Phases
     FineRows fine;
-    std::function<void()> poll; ///< called periodically while events are found; may throw
 };
 
 /// `both`: pose_and_velocity() of the rows. `runs`: those of the phases, one for one, continued
-/// beyond the cycles where the motion goes on. `poll`: called periodically now and later, may
-/// throw.
+/// beyond the cycles where the motion goes on.
 Searched searched(ConstMatrixView rows, ConstMatrixView both, double rate, const Phases& phases,
-                  std::vector<Run> runs, const std::function<void()>& poll = {});
+                  std::vector<Run> runs);
 
 /// A value at a place between indices, which is clamped to them.
 double interpolated(const std::vector<double>& values, double place);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/checkpoint.hpp"
 #include "base/side_name.hpp"
 #include "clip/body/heading.hpp"
 #include "clip/body/kinematics.hpp"
@@ -86,16 +87,16 @@ std::vector<Part> parts_of(const clip::Clip& clip) {
 }
 
 Json body_json(const clip::Clip& clip, const std::vector<Part>& parts, clip::Axis up,
-               std::int64_t longest_text, const std::function<void()>& poll) {
+               std::int64_t longest_text) {
     const int space = clip.skeleton ? 3 : clip.space;
     const char* const kind = clip.skeleton ? "skeleton" : space > 0 ? "points" : "columns";
     const std::int64_t ranges = std::max<std::int64_t>(space > 0 ? space : places_width(clip), 1);
     const std::int64_t values = clip.frames() * places_width(clip);
     std::int64_t step = std::max<std::int64_t>(1, (values + most_values - 1) / most_values);
     const auto pack = [&] {
-        poll();
+        checkpoint();
         const Matrix chosen = places(clip, step);
-        poll();
+        checkpoint();
         return packed(chosen.view(), ranges);
     };
     Json kept = pack();

@@ -2,7 +2,6 @@
 // The moving body of a report: joints, points or, for a matrix, its columns.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -26,8 +25,7 @@ std::vector<Part> parts_of(const clip::Clip& clip);
 std::int64_t places_width(const clip::Clip& clip);
 
 /// What moves, and where it is in every step-th frame: as many frames as the text has room for.
-/// `poll`: called periodically, may throw.
 Json body_json(const clip::Clip& clip, const std::vector<Part>& parts, clip::Axis up,
-               std::int64_t longest_text, const std::function<void()>& poll);
+               std::int64_t longest_text);
 
 } // namespace stltsa::report

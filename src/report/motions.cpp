@@ -225,10 +225,9 @@ Json sides_json(const results::Comparison& found) {
 
 /// Left against right, or the reason why they are not compared.
 Json compared_sides(const clip::Clip& clip, const results::Phased& phased, std::int32_t label,
-                    const clip::PrepareOptions& prepare, const Progress& progress) {
+                    const clip::PrepareOptions& prepare) {
     try {
-        return sides_json(
-            results::compare_left_right(clip, phased, label, samples, prepare, progress));
+        return sides_json(results::compare_left_right(clip, phased, label, samples, prepare));
     } catch (const Error& error) {
         if (error.status() != Status::argument && error.status() != Status::unsupported &&
             error.status() != Status::too_few_frames)
@@ -241,7 +240,7 @@ Json compared_sides(const clip::Clip& clip, const results::Phased& phased, std::
 
 Json motions_json(const clip::Clip& clip, const results::Decomposed& decomposed,
                   const results::Phased& phased, const std::vector<Part>& parts,
-                  const clip::PrepareOptions& prepare, const Progress& progress) {
+                  const clip::PrepareOptions& prepare) {
     const auto count = std::ssize(decomposed.summaries);
     const std::vector<SignalSet> sets =
         count == 0 ? std::vector<SignalSet>() : signal_sets(clip, phased, parts, prepare.gaps);
@@ -272,7 +271,7 @@ Json motions_json(const clip::Clip& clip, const results::Decomposed& decomposed,
         }
         motion.set("reason", reason, "sets", shown_sets);
         if (cyclic)
-            motion.set("sides", compared_sides(clip, phased, label, prepare, progress));
+            motion.set("sides", compared_sides(clip, phased, label, prepare));
         motions.push_back(motion);
     }
     return motions;

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "base/json.hpp"
-#include "base/progress.hpp"
 #include "report/body.hpp"
 #include "results/phased.hpp"
 
@@ -15,6 +14,6 @@ namespace stltsa::report {
 /// standard deviation, their times, and left against right.
 Json motions_json(const clip::Clip& clip, const results::Decomposed& decomposed,
                   const results::Phased& phased, const std::vector<Part>& parts,
-                  const clip::PrepareOptions& prepare, const Progress& progress);
+                  const clip::PrepareOptions& prepare);
 
 } // namespace stltsa::report

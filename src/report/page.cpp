@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/numbers.hpp"
+#include "base/progress.hpp"
 #include "report/body.hpp"
 #include "report/curve_rows.hpp"
 #include "report/motions.hpp"
@@ -81,25 +82,24 @@ std::string_view bytes_of(const Matrix& matrix) {
 
 } // namespace
 
-std::string page(const Reported& reported, const Progress& progress) {
+std::string page(const Reported& reported) {
     const clip::Clip& clip = reported.clip;
-    const auto found = results::phase_of(reported.decomposed, progress);
+    const auto found = results::phase_of(reported.decomposed);
     const results::Phased& phased = *found;
     results::check_same_clip(clip, *phased.of);
-    const auto poll = [&] { progress.report(Stage::write, 0); };
+    report_progress(Stage::write, 0);
     const std::vector<Part> parts = parts_of(clip);
     JsonObject data("format", "stltsa-report/1", "command", reported.command, "checksum",
                     checksum(bytes_of(clip.values)), "source", source_json(reported));
     data.set("accuracy", accuracy_json(reported.decomposed.curve), "curve",
              curve_json(reported.decomposed), "phase", phase_json(phased), "motions",
-             motions_json(clip, reported.decomposed, phased, parts, reported.prepare, progress));
+             motions_json(clip, reported.decomposed, phased, parts, reported.prepare));
     const Template around = report_template();
     data.set("body",
              body_json(clip, parts, phased.samples.up,
                        room_for_body(clip.frames() * places_width(clip),
-                                     around.size() + data.text().size() + reported.json.size()),
-                       poll));
-    poll();
+                                     around.size() + data.text().size() + reported.json.size())));
+    checkpoint();
     std::string json = data.text();
     json.insert(1, "\"decomposition\":" + reported.json + ',');
     return filled(around, json);

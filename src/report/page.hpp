@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/progress.hpp"
 #include "clip/clip.hpp"
 #include "clip/features/prepare.hpp"
 #include "results/decomposed.hpp"
@@ -27,6 +26,6 @@ struct Reported {
 };
 
 /// The page. Throws Status::argument if the decomposition is not of the clip.
-std::string page(const Reported& reported, const Progress& progress);
+std::string page(const Reported& reported);
 
 } // namespace stltsa::report

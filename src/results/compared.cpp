@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
+#include "base/progress.hpp"
 #include "clip/body/skeleton.hpp"
 #include "phase/lag.hpp"
 #include "results/comparison_warnings.hpp"
@@ -41,12 +42,6 @@ std::vector<const PhasedMotion*> candidates(const Phased& phased, std::optional<
     return found;
 }
 
-using Poll = std::function<void()>;
-
-Poll poll_of(const Progress& progress) {
-    return [progress] { progress.report(Stage::units, 0); };
-}
-
 /// For each cycle, whether it has all its samples.
 std::vector<bool> complete(const phase::Resampled& cycles) {
     std::vector<bool> result;
@@ -57,7 +52,7 @@ std::vector<bool> complete(const phase::Resampled& cycles) {
 }
 
 phase::Resampled kept(const std::vector<bool>& wanted, phase::Resampled cycles,
-                      const std::string& name, const Poll& poll) {
+                      const std::string& name) {
     if (std::ranges::find(wanted, false) == wanted.end())
         return cycles;
     std::vector<Matrix> each;
@@ -70,7 +65,7 @@ phase::Resampled kept(const std::vector<bool>& wanted, phase::Resampled cycles,
         }
     if (each.empty())
         fail(Status::too_few_frames, "{} have no cycle without a missing value", name);
-    return phase::spread_of(std::move(rows), std::move(each), poll);
+    return phase::spread_of(std::move(rows), std::move(each));
 }
 
 /// Signals and motion of one clip.
@@ -79,11 +74,10 @@ struct ComparedClip {
     const PhasedMotion& motion;
     Matrix signals; ///< common columns, by row
     const char* which;
-    Poll poll;
 
     /// `shift`: phase at which samples begin; cycles begin at their borders all the same.
     phase::Resampled cycles(std::int64_t samples, double shift = 0) const {
-        auto made = phase::resample(signals.view(), turns_of(phased, motion, samples, shift), poll);
+        auto made = phase::resample(signals.view(), turns_of(phased, motion, samples, shift));
         if (shift != 0)
             made.rows = turns_of(phased, motion, samples).rows;
         return made;
@@ -116,10 +110,9 @@ bool headings_differ(const Phased& first, const Phased& second) {
            !clip::same_hierarchy(first.of->body.skeleton, second.of->body.skeleton);
 }
 
-phase::Lag lag_of(const phase::Resampled& first, const phase::Resampled& second, const Poll& poll) {
-    PacedPoll polls(poll);
+phase::Lag lag_of(const phase::Resampled& first, const phase::Resampled& second) {
     return phase::lag_between(phase::once_around(first.mean), phase::once_around(second.mean),
-                              (first.mean.rows() - 1) / 2, polls);
+                              (first.mean.rows() - 1) / 2);
 }
 
 /// Turns the second body about `axis`, the up axis of the first, to face as the first does.
@@ -132,7 +125,6 @@ double turn_second(const phase::Resampled& first, clip::Axis axis, ComparedClip&
     // Lag and turn depend on each other.
     double best = 0, most = likeness_if_turned(to, mean, level);
     for (std::int64_t lag = 1; lag < mean.rows; ++lag) {
-        second.poll();
         const auto shift = static_cast<double>(lag);
         if (const double like = likeness_if_turned(to, phase::later(mean, shift).view(), level);
             like > most) {
@@ -144,9 +136,9 @@ double turn_second(const phase::Resampled& first, clip::Axis axis, ComparedClip&
 }
 
 /// Half a cycle later: the second half, then the first.
-Matrix half_later(const Matrix& cycle, PacedPoll& polls) {
+Matrix half_later(const Matrix& cycle) {
     const ConstMatrixView once = phase::once_around(cycle);
-    const Matrix later = phase::later(once, static_cast<double>(once.rows) / 2, polls);
+    const Matrix later = phase::later(once, static_cast<double>(once.rows) / 2);
     Matrix result = Matrix::unset(cycle.rows(), cycle.cols());
     std::copy_n(later.data(), later.rows() * later.cols(), result.data());
     std::copy_n(later.data(), later.cols(), result.row(later.rows()));
@@ -223,11 +215,11 @@ Placement placement(const Phased& first, const CommonColumns& columns) {
 
 /// Compares cycles that are aligned. `fps`: of both.
 Comparison compared(phase::Resampled one, phase::Resampled other, std::array<double, 2> fps,
-                    CommonColumns columns, bool sides, const Poll& poll) {
+                    CommonColumns columns, bool sides) {
     Comparison result;
     result.sides = sides;
     result.samples = one.mean.rows();
-    result.differences = phase::compare(one, other, columns.part, sides, poll);
+    result.differences = phase::compare(one, other, columns.part, sides);
     result.likeness = result.differences.likeness;
     result.runner_up = result.differences.runner_up;
     result.size_ratio = none;
@@ -246,7 +238,7 @@ Comparison compared(phase::Resampled one, phase::Resampled other, std::array<dou
         judge(part.lag, result);
         judge(part.amplitude, result);
     }
-    poll(); // freeing the cycles of many columns takes long, too
+    checkpoint(); // freeing the cycles of many columns takes long, too
     return result;
 }
 
@@ -267,38 +259,34 @@ void set_clips(const ComparedClip& first, const ComparedClip& second, Comparison
 /// Left against right half a cycle later: the second half of each cycle, then its first. Both have
 /// the same cycles, with a row for each column that is compared.
 Comparison compared_sides(const phase::Resampled& left, const phase::Resampled& right, double fps,
-                          CommonColumns columns, const std::string& name, const Poll& poll) {
-    PacedPoll polls(poll);
+                          CommonColumns columns, const std::string& name) {
     const auto of_all = [&](const phase::Resampled& cycles, const auto& make) {
         std::vector<Matrix> each;
         for (const Matrix& cycle : cycles.each)
             each.push_back(make(cycle));
-        return phase::spread_of(copied(cycles.rows.view()), std::move(each), poll);
+        return phase::spread_of(copied(cycles.rows.view()), std::move(each));
     };
-    auto one = of_all(
-        left, [&](const Matrix& of) { return phase::chosen(of.view(), columns.first, polls); });
+    auto one =
+        of_all(left, [&](const Matrix& of) { return phase::chosen(of.view(), columns.first); });
     auto other = of_all(right, [&](const Matrix& of) {
-        return half_later(phase::chosen(of.view(), columns.second, polls), polls);
+        return half_later(phase::chosen(of.view(), columns.second));
     });
     std::vector<bool> both = complete(one);
     const std::vector<bool> of_right = complete(other);
     for (std::size_t k = 0; k < both.size(); ++k)
         both[k] = both[k] && of_right[k];
     Comparison result =
-        compared(kept(both, std::move(one), name, poll), kept(both, std::move(other), name, poll),
-                 {fps, fps}, std::move(columns), true, poll);
+        compared(kept(both, std::move(one), name), kept(both, std::move(other), name), {fps, fps},
+                 std::move(columns), true);
     result.shift = {none, none, none, none, 0.5, none, none, none, false};
     return result;
 }
 
 Comparison compared_with(const Phased& first, const PhasedMotion& motion, const Phased& second,
-                         const PhasedMotion& other, std::int64_t samples, const Poll& poll) {
+                         const PhasedMotion& other, std::int64_t samples) {
     CommonColumns columns = common_columns(first, second);
-    PacedPoll polls(poll);
-    ComparedClip one{first, motion, phase::chosen(first.rows.view(), columns.first, polls), "first",
-                     poll};
-    ComparedClip two{second, other, phase::chosen(second.rows.view(), columns.second, polls),
-                     "second", poll};
+    ComparedClip one{first, motion, phase::chosen(first.rows.view(), columns.first), "first"};
+    ComparedClip two{second, other, phase::chosen(second.rows.view(), columns.second), "second"};
     if (first.samples.features == clip::Features::points && in_space(first) &&
         columns.left_out.size() + columns.other_left_out.size() > 0) {
         center(first, one.signals);
@@ -307,12 +295,11 @@ Comparison compared_with(const Phased& first, const PhasedMotion& motion, const 
     phase::Resampled of_one = one.cycles(samples);
     const double turn =
         headings_differ(first, second) ? turn_second(of_one, first.samples.up, two) : 0;
-    const phase::Lag lag = lag_of(of_one, two.cycles(samples), poll);
+    const phase::Lag lag = lag_of(of_one, two.cycles(samples));
     const double zero =
         std::abs(lag.samples) > rounded_lag ? lag.samples / static_cast<double>(samples - 1) : 0;
-    Comparison result =
-        compared(std::move(of_one), two.cycles(samples, zero), {first.clip.fps, second.clip.fps},
-                 std::move(columns), false, poll);
+    Comparison result = compared(std::move(of_one), two.cycles(samples, zero),
+                                 {first.clip.fps, second.clip.fps}, std::move(columns), false);
     set_clips(one, two, result);
     result.turn = turn;
     result.shift = result.differences.whole;
@@ -335,15 +322,13 @@ double expected_by_chance(const Comparison& of) {
 }
 
 Comparison compare(const Phased& first, std::optional<std::int64_t> label, const Phased& second,
-                   std::optional<std::int64_t> other_label, std::int64_t samples,
-                   const Progress& progress) {
-    const Poll poll = poll_of(progress);
+                   std::optional<std::int64_t> other_label, std::int64_t samples) {
+    report_progress(Stage::units, 0);
     candidates(first, label, "first"); // throws if there are none
     const PhasedMotion& motion = *longest_in_cycles(first, label);
     std::optional<Comparison> best;
     for (const PhasedMotion* other : candidates(second, other_label, "second")) {
-        poll();
-        Comparison found = compared_with(first, motion, second, *other, samples, poll);
+        Comparison found = compared_with(first, motion, second, *other, samples);
         if (!best || found.likeness > best->likeness)
             best = std::move(found);
     }
@@ -353,7 +338,7 @@ Comparison compare(const Phased& first, std::optional<std::int64_t> label, const
 
 Comparison compare_left_right(const clip::Clip& clip, const Phased& phased,
                               std::optional<std::int64_t> label, std::int64_t samples,
-                              const clip::PrepareOptions& prepare, const Progress& progress) {
+                              const clip::PrepareOptions& prepare) {
     candidates(phased, label, "first"); // throws if there are none
     const PhasedMotion& motion = *longest_in_cycles(phased, label);
     check_same_clip(clip, *phased.of);
@@ -361,24 +346,23 @@ Comparison compare_left_right(const clip::Clip& clip, const Phased& phased,
         fail(Status::unsupported, "{}", reason);
     CommonColumns columns = side_columns_of(phased);
     const auto cycles = [&](const Matrix& rows) {
-        return resample(phased, motion.label, rows.view(), samples, poll_of(progress));
+        return resample(phased, motion.label, rows.view(), samples);
     };
-    const Matrix image = mirror_image(clip, phased, motion.label, samples, prepare, progress);
+    const Matrix image = mirror_image(clip, phased, motion.label, samples, prepare);
     Comparison result =
         compared_sides(cycles(rows_by_frame(phased)), cycles(image), phased.clip.fps,
-                       std::move(columns), name_of(phased, "first"), poll_of(progress));
-    const ComparedClip side{phased, motion, {}, "first", {}};
+                       std::move(columns), name_of(phased, "first"));
+    const ComparedClip side{phased, motion, {}, "first"};
     set_clips(side, side, result);
     return result;
 }
 
 Comparison compare_left_right(const phase::Resampled& cycles, std::span<const std::string> names,
-                              double fps, const Progress& progress) {
+                              double fps) {
     if (!cycles.no_halves.empty())
         fail(Status::unsupported, "{}", cycles.no_halves);
     const std::string name = "the signals";
-    Comparison result =
-        compared_sides(cycles, cycles, fps, side_columns_of(names), name, poll_of(progress));
+    Comparison result = compared_sides(cycles, cycles, fps, side_columns_of(names), name);
     warn_of_few(name, result.motions[0].cycles, result);
     return result;
 }

@@ -60,19 +60,18 @@ double expected_by_chance(const Comparison& of);
 /// Status::argument for a label without cycles, and Status::shape if the clips have nothing in
 /// common.
 Comparison compare(const Phased& first, std::optional<std::int64_t> label, const Phased& second,
-                   std::optional<std::int64_t> other_label, std::int64_t samples,
-                   const Progress& progress);
+                   std::optional<std::int64_t> other_label, std::int64_t samples);
 
 /// The left side against the right one, mirrored and half a cycle later: the second half of each
 /// cycle, then its first, so that both sides have all cycles. Throws Status::unsupported if the
 /// sides cannot be compared.
 Comparison compare_left_right(const clip::Clip& clip, const Phased& phased,
                               std::optional<std::int64_t> label, std::int64_t samples,
-                              const clip::PrepareOptions& prepare, const Progress& progress);
+                              const clip::PrepareOptions& prepare);
 
 /// The same of signals whose names differ only in the side, such as knee_l and knee_r. `names`: one
 /// for each column. `fps`: 0 if it is unknown.
 Comparison compare_left_right(const phase::Resampled& cycles, std::span<const std::string> names,
-                              double fps, const Progress& progress);
+                              double fps);
 
 } // namespace stltsa::results

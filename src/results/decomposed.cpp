@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "base/names.hpp"
+#include "base/progress.hpp"
 #include "clip/body/course.hpp"
 #include "clip/body/heading.hpp"
 #include "clip/body/skeleton.hpp"
@@ -187,10 +187,10 @@ const char* name_of(Side side) {
 /// How the body moves over the ground.
 class Ground {
   public:
-    Ground(const clip::Clip& clip, const SampleFacts& samples, const std::function<void()>& poll)
+    Ground(const clip::Clip& clip, const SampleFacts& samples)
         : points_(!clip.skeleton && samples.features == clip::Features::points),
           course_(clip, points_ ? samples.up : default_up(clip),
-                  points_ ? clip::point_columns(clip) : 0, poll),
+                  points_ ? clip::point_columns(clip) : 0),
           fps_(clip.fps) {}
 
     void set(stltsa_part& part) const {
@@ -335,8 +335,7 @@ double body_size(clip::Features features, const Matrix& samples) {
 
 /// The rotations of the joints in each sample, if the samples are their positions. They are not
 /// smoothed.
-Matrix rotations_beside(const clip::Clip& clip, const SampleFacts& samples,
-                        const std::function<void()>& poll) {
+Matrix rotations_beside(const clip::Clip& clip, const SampleFacts& samples) {
     if (samples.features != clip::Features::positions ||
         clip::turning_joints(*clip.skeleton, clip::body_root(clip)).empty())
         return {};
@@ -347,8 +346,7 @@ Matrix rotations_beside(const clip::Clip& clip, const SampleFacts& samples,
     for (std::int64_t i = 0; i < samples.count; ++i)
         std::copy_n(clip.values.row(samples.first + i * samples.step), clip.values.cols(),
                     kept.values.row(i));
-    return clip::feature_rows(kept, clip::Features::rotations6d, samples.up, clip::GapRule::fill,
-                              poll)
+    return clip::feature_rows(kept, clip::Features::rotations6d, samples.up, clip::GapRule::fill)
         .rows;
 }
 
@@ -441,26 +439,26 @@ std::span<const stltsa_part> Decomposed::parts(std::int32_t kind) const {
 }
 
 Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare,
-                     motion::Options options, const Progress& progress) {
+                     motion::Options options) {
     if (!(clip.fps > 0))
         fail(Status::argument, "the frame rate of {} is unknown: open it with option fps",
              clip.path.empty() ? "the clip" : clip.path);
     const clip::Clip* single = &clip;
     clip::PrepareOptions with_rows = prepare;
     with_rows.keep_rows = true;
-    ClipSamples prepared = prepare_clips({&single, 1}, with_rows, progress);
+    ClipSamples prepared = prepare_clips({&single, 1}, with_rows);
     set_messages(prepared, options);
     const SampleFacts& samples = prepared.source.samples;
     const double fps = samples.fps;
-    const auto poll = [&] { progress.report(Stage::features, 1); };
-    std::vector<std::int64_t> drifting = clip::remove_drift(prepared.samples, fps, poll);
+    report_progress(Stage::features, 1);
+    std::vector<std::int64_t> drifting = clip::remove_drift(prepared.samples, fps);
     note_drift(clip, samples.features, drifting, prepared.source.clips.front().notes);
     if (!drifting.empty())
-        drifting = clip::remove_drift(prepared.rows, clip.fps, poll);
+        drifting = clip::remove_drift(prepared.rows, clip.fps);
     options.smoothed_s = samples.smoothing;
     options.size = body_size(samples.features, prepared.samples);
     options.holes = holes_of(prepared);
-    options.rotations = rotations_beside(clip, samples, poll);
+    options.rotations = rotations_beside(clip, samples);
     BodySides sides = body_sides(clip, samples, prepared.samples.view());
     options.side = sides.weights;
     options.one_side = std::move(sides.one);
@@ -482,12 +480,12 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
             before.side_one = made.side_one;
             set_segments(first, frames, before);
             set_parts(first, frames, before);
-            strikes = find_strikes(stated, before, progress.within(Stage::units, 1));
+            strikes = find_strikes(stated, before);
             if (made.side_one == Side::neither && !strikes.motions.empty())
                 made.side_one = Side::right; // the file tells the sides if the names do not
             return in_samples(strikes, frames, made.side_one);
         };
-    motion::Recording found = motion::analyze(prepared.samples.view(), fps, options, progress);
+    motion::Recording found = motion::analyze(prepared.samples.view(), fps, options);
     note_strikes(strikes, found, made.source.clips.front().notes);
     made.source.period = {found.curve.period / fps, found.curve.lag_quality,
                           options.periods.shortest_s, options.periods.longest_s};
@@ -495,11 +493,11 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
     made.units = units_of(found, frames);
     set_parts(found, frames, made);
     add_unrecorded(frames, made);
-    const Ground ground(clip, samples, poll);
+    const Ground ground(clip, samples);
     for (auto* parts : {&made.cycles, &made.steps, &made.repetitions})
         for (stltsa_part& part : *parts)
             ground.set(part);
-    for (const std::int64_t row : telling_postures(prepared.samples.view(), progress))
+    for (const std::int64_t row : telling_postures(prepared.samples.view()))
         made.postures.push_back(made.source.samples.first + row * made.source.samples.step);
     made.source.period.period = period_of_longest(made.segments);
     made.summaries = summaries_of(made.cycles, made.steps, made.repetitions);

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "base/progress.hpp"
 #include "clip/features/frame_features.hpp"
 #include "motion/recording/analyze.hpp"
 #include "results/samples.hpp"
@@ -65,6 +64,6 @@ struct Decomposed {
 /// Throws Status::argument if the clip's frame rate is unknown. Sets the fields of `options` that
 /// are for messages only.
 Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare,
-                     motion::Options options, const Progress& progress);
+                     motion::Options options);
 
 } // namespace stltsa::results

@@ -6,7 +6,6 @@
 #include <optional>
 #include <vector>
 
-#include "base/progress.hpp"
 #include "motion/curve/denoise.hpp"
 #include "results/fitted.hpp"
 
@@ -32,9 +31,9 @@ struct Denoised {
 
 /// Throws as motion::denoise().
 Denoised denoise(ConstMatrixView coords, std::vector<std::int64_t> lengths,
-                 const DenoiseOptions& options, Source source, const Progress& progress);
+                 const DenoiseOptions& options, Source source);
 
 /// The coordinates of a fit, a spline for each of its unbroken_lengths().
-Denoised denoise(const Fitted& fitted, const DenoiseOptions& options, const Progress& progress);
+Denoised denoise(const Fitted& fitted, const DenoiseOptions& options);
 
 } // namespace stltsa::results

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "base/progress.hpp"
 #include "phase/events.hpp"
 
 namespace stltsa::results {
@@ -58,11 +59,10 @@ void add_mark(double frame, double row, std::vector<Marked>& motions) {
          frame);
 }
 
-std::vector<Marked> marked_motions(const Phased& from, std::span<const double> marks,
-                                   const Progress& progress) {
+std::vector<Marked> marked_motions(const Phased& from, std::span<const double> marks) {
     std::vector<Marked> all;
     for (const PhasedMotion& motion : from.motions)
-        all.push_back({searched(from, motion, progress), {}});
+        all.push_back({searched(from, motion), {}});
     for (const double mark : marks)
         add_mark(mark, mark - static_cast<double>(from.clip.first), all);
     std::erase_if(all, [](const Marked& each) { return each.marks.empty(); });
@@ -128,11 +128,11 @@ void warn_of_repetitions(const phase::Searched& in, std::size_t events, FoundEve
 }
 
 void append_other(const phase::Searched& from, const std::vector<phase::Place>& places,
-                  const Phased& in, const Progress& progress, FoundEvents& found) {
+                  const Phased& in, FoundEvents& found) {
     for (const PhasedMotion& motion : in.motions) {
         if (motion.phases.cyclic != from.cyclic)
             continue;
-        const phase::Searched target = searched(in, motion, progress);
+        const phase::Searched target = searched(in, motion);
         const double alike = phase::likeness(from, target);
         found.likeness = std::max(found.likeness, alike);
         if (alike < least_likeness)
@@ -166,21 +166,18 @@ void warn_of_places(std::size_t places, bool cyclic, FoundEvents& found) {
 
 } // namespace
 
-phase::Searched searched(const Phased& phased, const PhasedMotion& motion,
-                         const Progress& progress) {
-    const auto poll = [progress] { progress.report(Stage::units, 0); };
-    poll();
+phase::Searched searched(const Phased& phased, const PhasedMotion& motion) {
+    report_progress(Stage::units, 0);
     const motion::MeanCycle& mean = motion.phases.mean;
-    const Matrix both =
-        motion::pose_and_velocity(phased.rows.view(), phased.clip.fps, mean.period, poll);
+    const Matrix both = motion::pose_and_velocity(phased.rows.view(), phased.clip.fps, mean.period);
     std::vector<motion::Run> runs;
     for (const motion::Run& run : motion.phases.runs) {
         const motion::Range room = room_of(phased, motion, run);
         runs.push_back(motion.phases.linear ? motion::continued(run, mean.period, room)
-                                            : motion::grown(both.view(), mean, run, room, poll));
+                                            : motion::grown(both.view(), mean, run, room));
     }
     return phase::searched(phased.rows.view(), both.view(), phased.clip.fps, motion.phases,
-                           std::move(runs), poll);
+                           std::move(runs));
 }
 
 std::vector<stltsa_event> events_at(const phase::Searched& motion, const phase::Place& marks,
@@ -190,8 +187,7 @@ std::vector<stltsa_event> events_at(const phase::Searched& motion, const phase::
     return events;
 }
 
-FoundEvents find_events(const Phased& from, std::span<const double> marks, const Phased& in,
-                        const Progress& progress) {
+FoundEvents find_events(const Phased& from, std::span<const double> marks, const Phased& in) {
     check_features(from, in);
     const bool same = &from == &in;
     FoundEvents found;
@@ -200,13 +196,13 @@ FoundEvents find_events(const Phased& from, std::span<const double> marks, const
     found.warnings = in.warnings;
     if (!same)
         std::ranges::copy(from.warnings, std::back_inserter(found.warnings));
-    for (const Marked& marked : marked_motions(from, marks, progress)) {
+    for (const Marked& marked : marked_motions(from, marks)) {
         const auto places = phase::places_of(marked.motion, marked.marks);
         warn_of_places(places.size(), marked.motion.cyclic, found);
         if (same)
             append_same(marked.motion, places, in, found);
         else
-            append_other(marked.motion, places, in, progress, found);
+            append_other(marked.motion, places, in, found);
     }
     std::ranges::sort(found.events, {}, &stltsa_event::frame);
     return found;

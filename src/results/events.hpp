@@ -19,8 +19,7 @@ struct FoundEvents {
 };
 
 /// A motion and how far its phase goes beyond its cycles.
-phase::Searched searched(const Phased& phased, const PhasedMotion& motion,
-                         const Progress& progress);
+phase::Searched searched(const Phased& phased, const PhasedMotion& motion);
 
 /// The event at the marks, which are at one place of the motion, in each cycle or repetition of it,
 /// and the marks themselves in the place of what was found near them.
@@ -31,7 +30,6 @@ std::vector<stltsa_event> events_at(const phase::Searched& motion, const phase::
 /// which may be the same; at each place, if the marks are at several places of the cycle. Throws
 /// Status::argument for a mark in no motion that repeats and for marks all over the cycle, and
 /// Status::shape if the features of the clips differ.
-FoundEvents find_events(const Phased& from, std::span<const double> marks, const Phased& in,
-                        const Progress& progress);
+FoundEvents find_events(const Phased& from, std::span<const double> marks, const Phased& in);
 
 } // namespace stltsa::results

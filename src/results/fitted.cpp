@@ -124,22 +124,17 @@ void keep_poses(Fitted& fitted, Clips clips) {
 } // namespace
 
 Fitted fit(ConstMatrixView samples, const Lengths& lengths, const FitOptions& options,
-           const std::optional<ltsa::DimensionOptions>& intrinsic, Source source,
-           const Progress& progress) {
+           const std::optional<ltsa::DimensionOptions>& intrinsic, Source source) {
     ltsa::check_frames(samples, lengths.clips, "frames", options.threads);
     const auto parameters =
-        choose_parameters(samples, lengths.runs, options, standard_dimension, source, progress);
+        choose_parameters(samples, lengths.runs, options, standard_dimension, source);
     check_runs(samples, lengths, parameters, source);
     note_breaks(lengths, parameters.mode, source);
-    Fitted fitted{ltsa::fit(samples, lengths.runs, parameters, progress),
-                  std::move(source),
-                  {},
-                  lengths.clips,
-                  {}};
+    Fitted fitted{
+        ltsa::fit(samples, lengths.runs, parameters), std::move(source), {}, lengths.clips, {}};
     warn_of_parts(fitted.source, fitted.lengths, fitted.model);
     if (intrinsic)
-        fitted.dimension =
-            ltsa::intrinsic_dimension(samples, lengths.runs, parameters, *intrinsic, progress);
+        fitted.dimension = ltsa::intrinsic_dimension(samples, lengths.runs, parameters, *intrinsic);
     return fitted;
 }
 

@@ -36,8 +36,7 @@ struct Fitted {
 /// Fits 2 coordinates unless the options say otherwise; `intrinsic`: and estimates the intrinsic
 /// dimension. Throws as ltsa::fit().
 Fitted fit(ConstMatrixView samples, const Lengths& lengths, const FitOptions& options,
-           const std::optional<ltsa::DimensionOptions>& intrinsic, Source source,
-           const Progress& progress);
+           const std::optional<ltsa::DimensionOptions>& intrinsic, Source source);
 
 /// Keeps the samples that were fitted and, if the clips have a skeleton, their poses.
 void keep_clips(Fitted& fitted, Clips clips, Matrix samples);

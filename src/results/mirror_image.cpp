@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/progress.hpp"
 #include "clip/arrays/mirror.hpp"
 #include "clip/features/column_owners.hpp"
 #include "clip/features/drift.hpp"
@@ -30,8 +31,7 @@ struct Image {
     bool turned = false; ///< see ClipSamples
 };
 
-Image image_of(const clip::Clip& clip, const Phased& phased, clip::PrepareOptions prepare,
-               const Progress& progress) {
+Image image_of(const clip::Clip& clip, const Phased& phased, clip::PrepareOptions prepare) {
     if (phased.samples.up != clip::Axis::none)
         prepare.up = phased.samples.up;
     const clip::Clip image = clip::mirrored(clip, prepare.up);
@@ -39,7 +39,7 @@ Image image_of(const clip::Clip& clip, const Phased& phased, clip::PrepareOption
     prepare.rate = 0;
     prepare.smoothing = 0;
     const clip::Clip* single = &image;
-    ClipSamples prepared = prepare_clips({&single, 1}, prepare, progress);
+    ClipSamples prepared = prepare_clips({&single, 1}, prepare);
     clip::remove_drift(prepared.samples, image.fps);
     const std::int64_t first = prepared.source.clips.front().first;
     return {by_frame(prepared.samples, phased.clip.frames, first), prepared.turned};
@@ -60,9 +60,9 @@ Level level_of(const clip::Clip& clip, const Phased& phased, bool turned) {
 /// roughly in it. Therefore the mirror image is turned so that the sides differ least. Otherwise,
 /// points of a symmetric walk seem 8 mm apart (headings that differ by 1 degree).
 void turn_to_sides(const phase::Resampled& own, const phase::Resampled& image, const Level& level,
-                   PacedPoll& polls, Matrix& signals) {
+                   Matrix& signals) {
     const ConstMatrixView mean = phase::once_around(image.mean);
-    const Matrix later = phase::later(mean, static_cast<double>(mean.rows) / 2, polls);
+    const Matrix later = phase::later(mean, static_cast<double>(mean.rows) / 2);
     turn_to(phase::once_around(own.mean), later.view(), level, signals);
 }
 
@@ -87,14 +87,12 @@ Matrix rows_by_frame(const Phased& phased) {
 }
 
 Matrix mirror_image(const clip::Clip& clip, const Phased& phased, std::int64_t label,
-                    std::int64_t samples, const clip::PrepareOptions& prepare,
-                    const Progress& progress) {
-    auto [image, turned] = image_of(clip, phased, prepare, progress);
+                    std::int64_t samples, const clip::PrepareOptions& prepare) {
+    auto [image, turned] = image_of(clip, phased, prepare);
     if (const Level level = level_of(clip, phased, turned); level.width > 0) {
-        const auto poll = [progress] { progress.report(Stage::features, 1); };
-        PacedPoll polls(poll);
-        turn_to_sides(resample(phased, label, rows_by_frame(phased).view(), samples, poll),
-                      resample(phased, label, image.view(), samples, poll), level, polls, image);
+        report_progress(Stage::features, 1);
+        turn_to_sides(resample(phased, label, rows_by_frame(phased).view(), samples),
+                      resample(phased, label, image.view(), samples), level, image);
     }
     return std::move(image);
 }

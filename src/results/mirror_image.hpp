@@ -18,7 +18,6 @@ Matrix rows_by_frame(const Phased& phased);
 /// `clip`: that of the phase. `prepare`: as for the decomposition. Throws Status::argument if the
 /// label has no cycles, and Status::unsupported for a clip that has no mirror image.
 Matrix mirror_image(const clip::Clip& clip, const Phased& phased, std::int64_t label,
-                    std::int64_t samples, const clip::PrepareOptions& prepare,
-                    const Progress& progress);
+                    std::int64_t samples, const clip::PrepareOptions& prepare);
 
 } // namespace stltsa::results

@@ -19,12 +19,11 @@ constexpr double frames_a_second = 30;
 /// So many frames hold the longest period 20 times: of a longer recording the middle is searched.
 constexpr std::int64_t most_frames = 20 * longest_frames;
 
-PeriodFacts look_in_frames(ConstMatrixView samples, const PeriodRange& range,
-                           const Progress& progress) {
+PeriodFacts look_in_frames(ConstMatrixView samples, const PeriodRange& range) {
     const std::int64_t rows = std::min(samples.rows, most_frames);
-    const motion::Period found = motion::find_period(
-        samples.block((samples.rows - rows) / 2, rows), frames_a_second,
-        {range.shortest / frames_a_second, range.longest / frames_a_second}, progress);
+    const motion::Period found =
+        motion::find_period(samples.block((samples.rows - rows) / 2, rows), frames_a_second,
+                            {range.shortest / frames_a_second, range.longest / frames_a_second});
     return {found.samples, found.quality, range.shortest, range.longest};
 }
 
@@ -59,18 +58,16 @@ PeriodRange range_of(const PeriodSearch& search, double fps, std::int64_t frames
     return range;
 }
 
-PeriodFacts look_for_period(ConstMatrixView samples, double fps, const PeriodRange& range,
-                            const Progress& progress) {
+PeriodFacts look_for_period(ConstMatrixView samples, double fps, const PeriodRange& range) {
     if (!(fps > 0))
-        return look_in_frames(samples, range, progress);
-    const motion::Period found =
-        motion::find_period(samples, fps, {range.shortest, range.longest}, progress);
+        return look_in_frames(samples, range);
+    const motion::Period found = motion::find_period(samples, fps, {range.shortest, range.longest});
     return {found.samples / fps, found.quality, range.shortest, range.longest};
 }
 
 ltsa::Parameters choose_parameters(ConstMatrixView samples, std::span<const std::int64_t> lengths,
                                    const FitOptions& options, int standard_dimension,
-                                   Source& source, const Progress& progress) {
+                                   Source& source) {
     ltsa::Parameters p;
     p.dimension = options.dimension.value_or(standard_dimension);
     p.mode = options.mode;
@@ -80,8 +77,8 @@ ltsa::Parameters choose_parameters(ConstMatrixView samples, std::span<const std:
     const double fps = source.samples.fps;
     const bool has_time = fps > 0 || p.mode != ltsa::Mode::spatial;
     if (!options.neighbors && has_time)
-        source.period = look_for_period(
-            samples, fps, range_of(options.search, fps, std::ranges::max(lengths)), progress);
+        source.period =
+            look_for_period(samples, fps, range_of(options.search, fps, std::ranges::max(lengths)));
     p.neighbors =
         options.neighbors
             ? *options.neighbors

@@ -6,7 +6,6 @@
 #include <optional>
 #include <span>
 
-#include "base/progress.hpp"
 #include "ltsa/mapping/mapping.hpp"
 #include "ltsa/parameters.hpp"
 #include "results/facts.hpp"
@@ -31,8 +30,7 @@ struct PeriodSearch {
 PeriodRange range_of(const PeriodSearch& search, double fps, std::int64_t frames);
 
 /// The period in that range, with the facts to keep of it.
-PeriodFacts look_for_period(ConstMatrixView samples, double fps, const PeriodRange& range,
-                            const Progress& progress = {});
+PeriodFacts look_for_period(ConstMatrixView samples, double fps, const PeriodRange& range);
 
 struct FitOptions {
     std::optional<std::int64_t> neighbors; ///< empty: motion::choose_neighbors()
@@ -49,7 +47,7 @@ struct FitOptions {
 /// Sets source.period if it searches for a period.
 ltsa::Parameters choose_parameters(ConstMatrixView samples, std::span<const std::int64_t> lengths,
                                    const FitOptions& options, int standard_dimension,
-                                   Source& source, const Progress& progress);
+                                   Source& source);
 
 struct MapRequest {
     std::optional<std::int64_t> neighbors; ///< empty: the dimension and 5 more, at least 10

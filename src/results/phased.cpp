@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
 
 #include "base/numbers.hpp"
+#include "base/progress.hpp"
 
 namespace stltsa::results {
 namespace {
@@ -123,25 +123,24 @@ void warn_if_linear(const PhasedMotion& motion, Phased& phased) {
                          letters_of(motion.label), motion.phases.residual, phase::most_residual)});
 }
 
-std::shared_ptr<const Phased> find_phase(const Decomposed& decomposed, const Progress& progress) {
+std::shared_ptr<const Phased> find_phase(const Decomposed& decomposed) {
     const auto found = std::make_shared<Phased>(decomposed.rows);
     Phased& phased = *found;
-    const auto poll = [&] { progress.report(Stage::features, 1); };
-    poll();
+    report_progress(Stage::features, 1);
     for (auto& [label, sequences] : sequences_of(decomposed, phased.clip)) {
         PhasedMotion& motion = phased.motions.emplace_back();
         motion.label = label;
         motion.like_halves = has_like_halves(decomposed, label);
-        motion.phases = phase::find_phases(phased.rows.view(), phased.clip.fps, sequences,
-                                           phased.of->side, poll);
+        motion.phases =
+            phase::find_phases(phased.rows.view(), phased.clip.fps, sequences, phased.of->side);
         motion.borders = std::move(sequences);
         warn_if_linear(motion, phased);
     }
     for (auto& [label, repetitions] : repetitions_of(decomposed, phased.clip)) {
         PhasedMotion& motion = phased.motions.emplace_back();
         motion.label = label;
-        motion.phases = phase::find_phases_of_repetitions(phased.rows.view(), phased.clip.fps,
-                                                          repetitions, poll);
+        motion.phases =
+            phase::find_phases_of_repetitions(phased.rows.view(), phased.clip.fps, repetitions);
         motion.borders = std::move(repetitions);
         warn_if_linear(motion, phased);
     }
@@ -220,7 +219,7 @@ phase::Turns turns_of(const Phased& phased, const PhasedMotion& motion, std::int
 }
 
 phase::Resampled resample(const Phased& phased, std::int64_t label, ConstMatrixView signals,
-                          std::int64_t samples, const std::function<void()>& poll) {
+                          std::int64_t samples) {
     const PhasedMotion& motion = motion_of(phased, label);
     if (signals.rows != phased.clip.frames)
         fail(Status::shape, "signals has {} rows; the clip has {} frames", signals.rows,
@@ -230,11 +229,11 @@ phase::Resampled resample(const Phased& phased, std::int64_t label, ConstMatrixV
         turns.rows.data()[i] += static_cast<double>(phased.clip.first);
     for (motion::Range& rows : turns.repeated)
         rows = {rows.begin + phased.clip.first, rows.end + phased.clip.first};
-    phase::Resampled made = phase::resample(signals, std::move(turns), poll);
+    phase::Resampled made = phase::resample(signals, std::move(turns));
     made.no_halves = no_halves(motion);
     return made;
 }
-std::shared_ptr<const Phased> phase_of(const Decomposed& decomposed, const Progress& progress) {
+std::shared_ptr<const Phased> phase_of(const Decomposed& decomposed) {
     PhaseOnce& once = *decomposed.phase;
     {
         const std::lock_guard lock(once.mutex);
@@ -242,7 +241,7 @@ std::shared_ptr<const Phased> phase_of(const Decomposed& decomposed, const Progr
             return once.found;
     }
     // Not under the lock, because callbacks of the progress may call again.
-    auto found = find_phase(decomposed, progress);
+    auto found = find_phase(decomposed);
     const std::lock_guard lock(once.mutex);
     if (!once.found)
         once.found = std::move(found);

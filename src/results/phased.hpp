@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "base/names.hpp"
-#include "base/progress.hpp"
 #include "base/warning.hpp"
 #include "clip/features/frame_features.hpp"
 #include "phase/phases.hpp"
@@ -62,12 +61,12 @@ phase::Turns turns_of(const Phased& phased, const PhasedMotion& motion, std::int
                       double shift = 0);
 
 /// Signals on 0 to 100 % of the cycles or repetitions of a motion, a row for each frame of the
-/// file. `poll`: called periodically, may throw. Throws
+/// file. Throws
 /// Status::argument for a label without them.
 phase::Resampled resample(const Phased& phased, std::int64_t label, ConstMatrixView signals,
-                          std::int64_t samples, const std::function<void()>& poll = {});
+                          std::int64_t samples);
 
 /// Found by the first call; any number of threads may call.
-std::shared_ptr<const Phased> phase_of(const Decomposed& decomposed, const Progress& progress);
+std::shared_ptr<const Phased> phase_of(const Decomposed& decomposed);
 
 } // namespace stltsa::results

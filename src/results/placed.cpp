@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/parallel.hpp"
+#include "base/progress.hpp"
 #include "clip/features/prepare.hpp"
 #include "ltsa/frames.hpp"
 
@@ -27,10 +28,7 @@ Placed place_rows(std::int64_t rows, const MapOptions& options, const Find& find
             put(r, place);
         }
     };
-    parallel_blocks(blocks, options.threads, place_block, [&](std::int64_t done) {
-        options.progress.report(Stage::map,
-                                static_cast<double>(done) / static_cast<double>(blocks));
-    });
+    parallel_blocks(blocks, options.threads, place_block, Stage::map);
     return placed;
 }
 
@@ -83,7 +81,7 @@ Placed unmap_poses(const Fitted& fitted, const ltsa::Mapping& mapping, ConstMatr
         });
 }
 
-Matrix clip_features(const Fitted& fitted, const clip::Clip& clip, const Progress& progress) {
+Matrix clip_features(const Fitted& fitted, const clip::Clip& clip) {
     if (fitted.source.clips.empty())
         fail(Status::unsupported, "the model was fitted to a matrix: map features (stltsa_map)");
     const auto& samples = fitted.source.samples;
@@ -92,9 +90,9 @@ Matrix clip_features(const Fitted& fitted, const clip::Clip& clip, const Progres
         fail(Status::shape, "the model was fitted to points, but this clip has a skeleton");
     if (samples.features != clip::Features::raw && !of_points && !clip.skeleton)
         fail(Status::shape, "the model was fitted to poses, but this clip has no skeleton");
+    report_progress(Stage::features, 0);
     Matrix frames = clip::smoothed_features(clip, samples.features, samples.up, samples.smoothing,
-                                            fitted.kept.drop_tpose,
-                                            [&] { progress.report(Stage::features, 0); });
+                                            fitted.kept.drop_tpose);
     if (frames.cols() != fitted.model.features)
         fail(Status::shape, "the clip has {} features; the model was fitted to {}", frames.cols(),
              fitted.model.features);

@@ -6,7 +6,6 @@
 #include <functional>
 #include <vector>
 
-#include "base/progress.hpp"
 #include "ltsa/mapping/mapping.hpp"
 #include "results/fitted.hpp"
 
@@ -16,7 +15,6 @@ namespace stltsa::results {
 struct MapOptions {
     ltsa::MapParameters maps; ///< every field set (choose_map_parameters())
     int threads = 1;
-    Progress progress;
 };
 
 /// The row of the model that a row is known to be near, or ltsa::no_hint.
@@ -43,7 +41,7 @@ Placed unmap_poses(const Fitted& fitted, const ltsa::Mapping& mapping, ConstMatr
 
 /// Features of every frame of a clip, computed as for the model. Throws if the clip does not match
 /// the model.
-Matrix clip_features(const Fitted& fitted, const clip::Clip& clip, const Progress& progress);
+Matrix clip_features(const Fitted& fitted, const clip::Clip& clip);
 
 /// The row of the model that was fitted to this very frame of a clip with these features, or
 /// ltsa::no_hint.

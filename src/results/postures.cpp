@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/checkpoint.hpp"
 #include "linalg/simd.hpp"
 
 namespace stltsa::results {
@@ -20,15 +21,14 @@ constexpr double weight_of_time = 0.7;
 
 class Choice {
   public:
-    Choice(ConstMatrixView samples, const Progress& progress)
-        : samples_(samples), poll_(progress, Stage::units, 1),
-          stride_((samples.rows + most_tried - 1) / most_tried),
+    explicit Choice(ConstMatrixView samples)
+        : samples_(samples), stride_((samples.rows + most_tried - 1) / most_tried),
           nearest_(static_cast<std::size_t>((samples.rows + stride_ - 1) / stride_)) {
         std::vector<double> mean(static_cast<std::size_t>(samples.cols), 0);
         const double share = 1 / static_cast<double>(nearest_.size());
         for (std::int64_t row = 0; row < samples.rows; row += stride_) {
             axpy(share, samples.row(row), mean.data(), samples.cols);
-            poll_.did(samples.cols);
+            checkpoint(samples.cols);
         }
         double squares = 0;
         for (std::size_t i = 0; i < nearest_.size(); ++i) {
@@ -58,7 +58,7 @@ class Choice {
     }
 
     double distance(const double* pose, std::int64_t row) {
-        poll_.did(samples_.cols);
+        checkpoint(samples_.cols);
         return std::sqrt(squared_distance(pose, samples_.row(row), samples_.cols));
     }
 
@@ -70,7 +70,6 @@ class Choice {
     }
 
     ConstMatrixView samples_;
-    PacedPoll poll_;
     std::int64_t stride_;
     std::vector<double> nearest_; ///< of each row tried: difference from the nearest one taken
     double mean_difference_ = 0;  ///< of two rows, root mean square
@@ -78,9 +77,9 @@ class Choice {
 
 } // namespace
 
-std::vector<std::int64_t> telling_postures(ConstMatrixView samples, const Progress& progress) {
+std::vector<std::int64_t> telling_postures(ConstMatrixView samples) {
     std::vector<std::int64_t> rows;
-    Choice choice(samples, progress);
+    Choice choice(samples);
     while (rows.size() < most_postures && choice.take(rows)) {
     }
     return rows;

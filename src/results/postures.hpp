@@ -5,13 +5,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/progress.hpp"
 #include "linalg/matrix.hpp"
 
 namespace stltsa::results {
 
 /// At most 24 rows of `samples`: the first is farthest from the mean, each next one farthest from
 /// those before it, in pose and in time. The first n are the choice of n postures.
-std::vector<std::int64_t> telling_postures(ConstMatrixView samples, const Progress& progress = {});
+std::vector<std::int64_t> telling_postures(ConstMatrixView samples);
 
 } // namespace stltsa::results

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "base/progress.hpp"
 #include "clip/body/skeleton.hpp"
 #include "clip/features/column_owners.hpp"
 #include "clip/features/point_sides.hpp"
@@ -97,14 +98,13 @@ Matrix stacked(const std::vector<Matrix>& parts, std::int64_t rows) {
 
 } // namespace
 
-ClipSamples prepare_clips(Clips clips, clip::PrepareOptions options, const Progress& progress) {
+ClipSamples prepare_clips(Clips clips, clip::PrepareOptions options) {
     const auto report = [&](std::size_t prepared) {
-        progress.report(Stage::features,
+        report_progress(Stage::features,
                         static_cast<double>(prepared) / static_cast<double>(clips.size()));
     };
     std::size_t done = 0;
     report(done);
-    options.poll = [&] { report(done); };
     ClipSamples all = prepare_clip(*clips.front(), options);
     report(++done);
     if (clips.size() == 1)

@@ -7,7 +7,6 @@
 #include <span>
 #include <vector>
 
-#include "base/progress.hpp"
 #include "base/side_name.hpp"
 #include "clip/features/prepare.hpp"
 #include "results/facts.hpp"
@@ -36,7 +35,7 @@ struct ClipSamples {
 /// Takes at least one clip. Throws Status::shape if joints, channels, features or the rate of the
 /// samples differ from the first clip's. The kind of features and the axis that points up are the
 /// first clip's.
-ClipSamples prepare_clips(Clips clips, clip::PrepareOptions options, const Progress& progress);
+ClipSamples prepare_clips(Clips clips, clip::PrepareOptions options);
 
 /// The two sides of the body, from the skeleton or from the names of points.
 struct BodySides {

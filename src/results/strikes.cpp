@@ -147,16 +147,15 @@ Side present_side(const Decomposed& decomposed, std::int64_t label) {
 
 } // namespace
 
-FoundStrikes find_strikes(std::span<const clip::FootStrike> stated, const Decomposed& decomposed,
-                          const Progress& progress) {
-    const auto phased = phase_of(decomposed, progress);
+FoundStrikes find_strikes(std::span<const clip::FootStrike> stated, const Decomposed& decomposed) {
+    const auto phased = phase_of(decomposed);
     FoundStrikes found;
     bool in_motion = false;
     for (const PhasedMotion& motion : phased->motions) {
         if (!motion.phases.cyclic)
             continue;
         const std::size_t noted = found.notes.size();
-        const phase::Searched where = searched(*phased, motion, progress);
+        const phase::Searched where = searched(*phased, motion);
         const auto marks = [&](Side side) { return marks_in(where, *phased, stated, side); };
         const auto of = [&](std::vector<phase::Mark> some, Side side) {
             return strikes_of(where, *phased, std::move(some), side, found.notes);

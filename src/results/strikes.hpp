@@ -29,8 +29,7 @@ struct FoundStrikes {
 /// A stated strike is one mark, or the mean of several within a quarter of a cycle. The strikes of
 /// a side in the cycles without one are found as those of any event. Cycles begin with the side
 /// that they begin with already, unless only the other one has two strikes or more.
-FoundStrikes find_strikes(std::span<const clip::FootStrike> stated, const Decomposed& decomposed,
-                          const Progress& progress);
+FoundStrikes find_strikes(std::span<const clip::FootStrike> stated, const Decomposed& decomposed);
 
 /// Says which events the cycles begin with, and which of them do not.
 void note_strikes(const FoundStrikes& strikes, const motion::Recording& found,

@@ -6,8 +6,8 @@
 namespace stltsa::results {
 
 Synthesized synthesize(const std::vector<synthesis::Piece>& pieces,
-                       const synthesis::Options& options, const Progress& progress) {
-    Synthesized made{synthesis::synthesize(pieces, options, progress), options, {}};
+                       const synthesis::Options& options) {
+    Synthesized made{synthesis::synthesize(pieces, options), options, {}};
     for (const synthesis::Piece& piece : pieces)
         made.pieces.push_back({piece.clip->path, piece.begin, piece.end, piece.repeat});
     return made;
@@ -16,10 +16,9 @@ Synthesized synthesize(const std::vector<synthesis::Piece>& pieces,
 namespace {
 
 /// If the ends do not meet, the error says what they are the ends of.
-Synthesized made_of(const synthesis::LongestLoop& chosen, const synthesis::Options& options,
-                    const Progress& progress) {
+Synthesized made_of(const synthesis::LongestLoop& chosen, const synthesis::Options& options) {
     try {
-        return synthesize({chosen.piece}, options, progress);
+        return synthesize({chosen.piece}, options);
     } catch (const Error& error) {
         if (error.status() != Status::no_common_posture)
             throw;
@@ -30,13 +29,13 @@ Synthesized made_of(const synthesis::LongestLoop& chosen, const synthesis::Optio
 } // namespace
 
 Synthesized synthesize_loop(const clip::Clip& clip, const Decomposed& decomposed,
-                            synthesis::Options options, const Progress& progress) {
+                            synthesis::Options options) {
     options.loop = true;
     std::vector<synthesis::CycleFrames> cycles;
     for (const stltsa_part& cycle : decomposed.cycles)
         cycles.push_back({cycle.begin, cycle.end});
-    const synthesis::LongestLoop chosen = synthesis::longest_loop(clip, cycles, options, progress);
-    Synthesized made = made_of(chosen, options, progress);
+    const synthesis::LongestLoop chosen = synthesis::longest_loop(clip, cycles, options);
+    Synthesized made = made_of(chosen, options);
     made.result.notes.push_back(chosen.note);
     if (chosen.piece.cycles > 0) {
         synthesis::Loop& loop = *made.result.loop;

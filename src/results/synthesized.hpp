@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "base/progress.hpp"
 #include "results/decomposed.hpp"
 #include "synthesis/synthesis.hpp"
 
@@ -27,10 +26,10 @@ struct Synthesized {
 
 /// Throws as synthesis::synthesize().
 Synthesized synthesize(const std::vector<synthesis::Piece>& pieces,
-                       const synthesis::Options& options, const Progress& progress);
+                       const synthesis::Options& options);
 
 /// The loop of the most cycles of the clip whose ends meet: see synthesis::longest_loop().
 Synthesized synthesize_loop(const clip::Clip& clip, const Decomposed& decomposed,
-                            synthesis::Options options, const Progress& progress);
+                            synthesis::Options options);
 
 } // namespace stltsa::results

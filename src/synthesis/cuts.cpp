@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "base/progress.hpp"
+
 namespace stltsa::synthesis {
 namespace {
 
@@ -91,11 +93,11 @@ Lengths lengths_left_out(std::int64_t length, double cycle) {
     return lengths;
 }
 
-Cut find_cut(const Join& join, const CutOptions& options, const Progress& progress) {
+Cut find_cut(const Join& join, const CutOptions& options) {
     const Reach reach(join, options.search);
     std::optional<Cut> best;
     for (std::int64_t end = reach.first_end; end <= reach.last_end; ++end) {
-        progress.report(Stage::synthesis, 0);
+        report_progress(Stage::synthesis, 0);
         for (std::int64_t begin = reach.first_begin; begin <= reach.last_begin; ++begin) {
             if (!join.lengths.allow(end - begin))
                 continue;

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <limits>
 
-#include "base/progress.hpp"
 #include "synthesis/track.hpp"
 
 namespace stltsa::synthesis {
@@ -56,6 +55,6 @@ struct Cut {
 /// The most similar pair of frames, including the frames around them that the crossfade will blend.
 /// A pair near the end of a clip, with fewer frames to blend, must be more similar. Each run keeps
 /// at least half of its length. If no pair is allowed, the cuts stay where they are.
-Cut find_cut(const Join& join, const CutOptions& options, const Progress& progress);
+Cut find_cut(const Join& join, const CutOptions& options);
 
 } // namespace stltsa::synthesis

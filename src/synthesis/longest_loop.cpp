@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/progress.hpp"
 #include "synthesis/material.hpp"
 #include "synthesis/measures.hpp"
 #include "synthesis/seams.hpp"
@@ -44,11 +45,9 @@ std::vector<std::size_t> followed(std::span<const CycleFrames> cycles) {
 
 class Search {
   public:
-    Search(const clip::Clip& clip, std::span<const CycleFrames> cycles, const Options& options,
-           const Progress& progress)
-        : clip_(clip), cycles_(cycles), options_(options), progress_(progress),
-          material_(
-              prepare_material(std::vector{Piece{&clip, 0, clip.frames()}}, options.up, progress)),
+    Search(const clip::Clip& clip, std::span<const CycleFrames> cycles, const Options& options)
+        : clip_(clip), cycles_(cycles), options_(options),
+          material_(prepare_material(std::vector{Piece{&clip, 0, clip.frames()}}, options.up)),
           usual_(usual_roughness(track(), std::min(track().first, track().frames() - 1),
                                  track().frames())),
           followed_(followed(cycles)) {
@@ -129,8 +128,8 @@ class Search {
     }
 
     Tried try_range(const Range& range) const {
-        progress_.report(Stage::synthesis, 0);
-        const ChosenCut chosen = repetition_cut(track(), part(range), options_, progress_);
+        report_progress(Stage::synthesis, 0);
+        const ChosenCut chosen = repetition_cut(track(), part(range), options_);
         const Roughness near = roughness_across(track(), chosen.cut);
         const double step = near.step / usual_.step;
         return {range, step,
@@ -141,14 +140,13 @@ class Search {
     /// Postures do not show what the root does: how high it is, and how it moves.
     double in_world(const Range& range) {
         material_.parts = {part(range)};
-        const Synthesis made = synthesize(material_, clip_, options_, progress_);
+        const Synthesis made = synthesize(material_, clip_, options_);
         return wrap_step(made.clip, made.seams.back().crossfade);
     }
 
     const clip::Clip& clip_;
     std::span<const CycleFrames> cycles_;
     Options options_;
-    const Progress& progress_;
     Material material_;
     Roughness usual_;
     std::vector<std::size_t> followed_;
@@ -176,7 +174,7 @@ std::string note_of(const Tried& found, std::size_t all) {
 } // namespace
 
 LongestLoop longest_loop(const clip::Clip& clip, std::span<const CycleFrames> cycles,
-                         const Options& options, const Progress& progress) {
+                         const Options& options) {
     if (cycles.empty())
         return {{&clip, 0, clip.frames()}, "no cycle was found: the loop is the whole clip"};
     for (const CycleFrames& cycle : cycles)
@@ -185,7 +183,7 @@ LongestLoop longest_loop(const clip::Clip& clip, std::span<const CycleFrames> cy
                  "the decomposition has a cycle of frames [{}, {}), and the clip {} frames: it is "
                  "of another clip",
                  cycle.begin, cycle.end, clip.frames());
-    const Tried found = Search(clip, cycles, options, progress).longest();
+    const Tried found = Search(clip, cycles, options).longest();
     const auto count = static_cast<std::int64_t>(found.range.count);
     const Piece piece{&clip, cycles[found.range.first].begin,
                       cycles[found.range.first + found.range.count - 1].end, 1, count};

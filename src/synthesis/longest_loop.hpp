@@ -29,6 +29,6 @@ struct LongestLoop {
 /// seam, the one with the smallest seam is chosen. Throws Status::argument (a cycle exceeds the
 /// clip), unsupported.
 LongestLoop longest_loop(const clip::Clip& clip, std::span<const CycleFrames> cycles,
-                         const Options& options, const Progress& progress);
+                         const Options& options);
 
 } // namespace stltsa::synthesis

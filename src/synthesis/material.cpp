@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/progress.hpp"
 #include "synthesis/hierarchy.hpp"
 #include "synthesis/resample.hpp"
 
@@ -119,8 +120,7 @@ class Preparation {
 
 } // namespace
 
-Material prepare_material(std::span<const Piece> pieces, std::optional<clip::Axis> up,
-                          const Progress& progress) {
+Material prepare_material(std::span<const Piece> pieces, std::optional<clip::Axis> up) {
     check_pieces(pieces);
     const clip::Clip& first = *pieces[0].clip;
     const clip::Axis used = clip::up_axis(first, up);
@@ -129,11 +129,11 @@ Material prepare_material(std::span<const Piece> pieces, std::optional<clip::Axi
     Material material{Body(first, common_root(pieces), used), used, {}, {}, {}};
     Preparation preparation(pieces, material);
     for (std::size_t p = 0; p < pieces.size(); ++p) {
-        progress.report(Stage::features,
+        report_progress(Stage::features,
                         static_cast<double>(p) / static_cast<double>(pieces.size()));
         preparation.add_piece(p);
     }
-    progress.report(Stage::features, 1);
+    report_progress(Stage::features, 1);
     return material;
 }
 

@@ -19,11 +19,9 @@ struct Material {
 };
 
 /// Checks the pieces (at least one) and makes their tracks.
-Material prepare_material(std::span<const Piece> pieces, std::optional<clip::Axis> up,
-                          const Progress& progress);
+Material prepare_material(std::span<const Piece> pieces, std::optional<clip::Axis> up);
 
 /// The synthesis of this material, of which `first` is the first piece's clip.
-Synthesis synthesize(const Material& material, const clip::Clip& first, const Options& options,
-                     const Progress& progress);
+Synthesis synthesize(const Material& material, const clip::Clip& first, const Options& options);
 
 } // namespace stltsa::synthesis

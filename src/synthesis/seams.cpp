@@ -45,9 +45,8 @@ double cycle_of(double seconds, double period) {
 
 class Chooser {
   public:
-    Chooser(std::span<const Track> tracks, std::span<const Part> parts, const Options& options,
-            const Progress& progress)
-        : tracks_(tracks), parts_(parts), options_(options), progress_(progress) {}
+    Chooser(std::span<const Track> tracks, std::span<const Part> parts, const Options& options)
+        : tracks_(tracks), parts_(parts), options_(options) {}
 
     ChosenCut between(const Run& earlier, const Run& later) const {
         if (&earlier == &later)
@@ -99,7 +98,7 @@ class Chooser {
         const double fps = join.earlier->fps;
         const CutOptions options{frames_of(options_.search, search, fps),
                                  frames_of(options_.crossfade, crossfade, fps), velocity_s};
-        return {find_cut(join, options, progress_), options.crossfade, 0};
+        return {find_cut(join, options), options.crossfade, 0};
     }
 
     static void set_posture(ChosenCut& chosen, double common) {
@@ -109,15 +108,13 @@ class Chooser {
     std::span<const Track> tracks_;
     std::span<const Part> parts_;
     const Options& options_;
-    const Progress& progress_;
 };
 
 } // namespace
 
 std::vector<ChosenCut> choose_cuts(std::span<const Track> tracks, std::span<const Part> parts,
-                                   std::span<const Run> runs, const Options& options,
-                                   const Progress& progress) {
-    const Chooser chooser(tracks, parts, options, progress);
+                                   std::span<const Run> runs, const Options& options) {
+    const Chooser chooser(tracks, parts, options);
     std::vector<ChosenCut> cuts;
     for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
         const bool same_as_before = i > 0 && runs[i - 1].last_piece == runs[i].first_piece &&
@@ -132,9 +129,8 @@ std::vector<ChosenCut> choose_cuts(std::span<const Track> tracks, std::span<cons
     return cuts;
 }
 
-ChosenCut repetition_cut(const Track& track, const Part& part, const Options& options,
-                         const Progress& progress) {
-    return Chooser({&track, 1}, {&part, 1}, options, progress).repetition(part);
+ChosenCut repetition_cut(const Track& track, const Part& part, const Options& options) {
+    return Chooser({&track, 1}, {&part, 1}, options).repetition(part);
 }
 
 } // namespace stltsa::synthesis

@@ -20,11 +20,9 @@ struct ChosenCut {
 /// One cut between each run and the next; the same between all repetitions of one piece. Of a loop
 /// the last is the wrap's, from the last run to the first.
 std::vector<ChosenCut> choose_cuts(std::span<const Track> tracks, std::span<const Part> parts,
-                                   std::span<const Run> runs, const Options& options,
-                                   const Progress& progress);
+                                   std::span<const Run> runs, const Options& options);
 
 /// The cut between a piece of a track and its repetition; `part.track` is 0.
-ChosenCut repetition_cut(const Track& track, const Part& part, const Options& options,
-                         const Progress& progress);
+ChosenCut repetition_cut(const Track& track, const Part& part, const Options& options);
 
 } // namespace stltsa::synthesis

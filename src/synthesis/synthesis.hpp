@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "base/progress.hpp"
 #include "base/warning.hpp"
 #include "clip/body/up_axis.hpp"
 #include "clip/clip.hpp"
@@ -68,7 +67,6 @@ struct Synthesis {
 
 /// Throws Status::argument (a piece exceeds its clip, in_place without loop), unsupported (bare
 /// numbers, no frame rate, different hierarchies), no_common_posture.
-Synthesis synthesize(std::span<const Piece> pieces, const Options& options,
-                     const Progress& progress);
+Synthesis synthesize(std::span<const Piece> pieces, const Options& options);
 
 } // namespace stltsa::synthesis

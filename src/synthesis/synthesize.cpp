@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "base/progress.hpp"
 #include "synthesis/loop.hpp"
 #include "synthesis/material.hpp"
 #include "synthesis/measures.hpp"
@@ -25,10 +26,9 @@ clip::Clip empty_clip(const clip::Clip& first) {
 
 class Synthesizer {
   public:
-    Synthesizer(const Material& material, const Options& options, const Progress& progress)
-        : material_(material), options_(options), progress_(progress),
-          runs_(make_runs(material_.parts)),
-          cuts_(choose_cuts(material_.tracks, material_.parts, runs_, options, progress)) {
+    Synthesizer(const Material& material, const Options& options)
+        : material_(material), options_(options), runs_(make_runs(material_.parts)),
+          cuts_(choose_cuts(material_.tracks, material_.parts, runs_, options)) {
         result_.warnings = material_.warnings;
         result_.up = material_.up;
     }
@@ -118,8 +118,8 @@ class Synthesizer {
             crossed = cuts_[last].cut.crossfade;
         }
         for (std::size_t i = 0; i < runs_.size(); ++i) {
-            progress_.report(Stage::synthesis,
-                             static_cast<double>(i) / static_cast<double>(runs_.size()));
+            report_progress(Stage::synthesis,
+                            static_cast<double>(i) / static_cast<double>(runs_.size()));
             const bool last = i == cuts_.size();
             const std::int64_t covered = last ? 0 : cuts_[i].cut.crossfade;
             const double turn = straightening(i);
@@ -213,7 +213,6 @@ class Synthesizer {
 
     const Material& material_;
     const Options& options_;
-    const Progress& progress_;
     std::vector<Run> runs_;
     std::vector<ChosenCut> cuts_; ///< of a loop, the wrap's is the last
     Step travel_;                 ///< of a loop
@@ -222,17 +221,14 @@ class Synthesizer {
 
 } // namespace
 
-Synthesis synthesize(const Material& material, const clip::Clip& first, const Options& options,
-                     const Progress& progress) {
-    return Synthesizer(material, options, progress).make(first);
+Synthesis synthesize(const Material& material, const clip::Clip& first, const Options& options) {
+    return Synthesizer(material, options).make(first);
 }
 
-Synthesis synthesize(std::span<const Piece> pieces, const Options& options,
-                     const Progress& progress) {
+Synthesis synthesize(std::span<const Piece> pieces, const Options& options) {
     if (options.in_place && !options.loop)
         fail(Status::argument, "option in_place needs option loop");
-    return synthesize(prepare_material(pieces, options.up, progress), *pieces[0].clip, options,
-                      progress);
+    return synthesize(prepare_material(pieces, options.up), *pieces[0].clip, options);
 }
 
 } // namespace stltsa::synthesis

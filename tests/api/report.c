@@ -101,7 +101,7 @@ static stltsa_status save_page(void* user, const stltsa_options* options) {
 TEST(saving_can_be_cancelled) {
     struct page of = {opened(), NULL};
     of.found = decomposed(of.clip, NULL);
-    /* Before the frames are chosen and packed, and the page is filled. */
+    /* Among them: before the frames are chosen and packed, and the page is filled and written. */
     int writing = 0;
     stltsa_options* options = with_progress(count_writing, &writing);
     assert_in_range(cancelled_calls(save_page, &of), 3, 1000);
@@ -109,7 +109,7 @@ TEST(saving_can_be_cancelled) {
     snprintf(path, sizeof path, "%s/walk.svg", folder);
     assert_in_range(cancelled_calls(save_page, &of), 1, 1000);
     snprintf(path, sizeof path, "%s/walk.html", folder);
-    assert_int_equal(writing, 3);
+    assert_in_range(writing, 4, 1000);
 }
 
 TEST(what_is_wrong_is_said) {

@@ -29,8 +29,7 @@ std::string read_stdin() {
     std::string bytes;
     char block[1 << 16];
     try {
-        while (const auto count =
-                   stltsa::clip::read_some(STDIN_FILENO, block, stop_if_interrupted)) {
+        while (const auto count = stltsa::clip::read_some(STDIN_FILENO, block)) {
             stop_if_interrupted();
             bytes.append(block, count);
         }

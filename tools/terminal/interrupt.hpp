@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "base/checkpoint.hpp"
+
 namespace tool {
 
 /// After this call the first Ctrl-C is recorded and the second ends the process. If the caller
@@ -11,5 +13,12 @@ bool interrupted();
 
 /// Throws Failure "cancelled" after a Ctrl-C.
 void stop_if_interrupted();
+
+/// During its lifetime the command's waits for files and pipes end after a Ctrl-C.
+class Interruptible final : public stltsa::Checkpoints {
+  public:
+    Interruptible() : Checkpoints(true) {}
+    void check() override { stop_if_interrupted(); }
+};
 
 } // namespace tool

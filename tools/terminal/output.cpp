@@ -11,7 +11,6 @@
 #include <unistd.h>
 
 #include "exit_status.hpp"
-#include "terminal/interrupt.hpp"
 #include "terminal/style.hpp"
 #include "terminal/text.hpp"
 
@@ -84,13 +83,12 @@ bool same_place(const std::string& path, const std::string& other) {
 } // namespace
 
 void write_stdout(std::string_view text) {
-    writing(stdout_name, [&] { write_all(STDOUT_FILENO, text, stop_if_interrupted); });
+    writing(stdout_name, [&] { write_all(STDOUT_FILENO, text); });
 }
 
 void OutputFiles::add_to_stdout(std::string content) {
-    staged_.push_back({stdout_name, {}, [text = std::move(content)] {
-                           write_all(STDOUT_FILENO, text, stop_if_interrupted);
-                       }});
+    staged_.push_back(
+        {stdout_name, {}, [text = std::move(content)] { write_all(STDOUT_FILENO, text); }});
 }
 
 void OutputFiles::add(const std::string& path, std::string content) {
@@ -99,9 +97,7 @@ void OutputFiles::add(const std::string& path, std::string content) {
     const std::string place = followed(path);
     if (!regular_or_new(place)) {
         staged_.push_back({path, {}, [place, text = std::move(content)] {
-                               write_directly(
-                                   place, [&](const auto& sink) { sink(text); },
-                                   stop_if_interrupted);
+                               write_directly(place, [&](const auto& sink) { sink(text); });
                            }});
         return;
     }

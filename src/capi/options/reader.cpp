@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "base/parallel.hpp"
+#include "base/progress.hpp"
 #include "capi/boundary/guard.hpp"
 #include "capi/options/table.hpp"
 
@@ -56,6 +57,10 @@ static_assert(same_mode(ltsa::Mode::temporal, STLTSA_MODE_TEMPORAL) &&
 
 } // namespace
 
+Call::Asked asked_by(const stltsa_options* options) {
+    return options == nullptr ? Call::Asked() : options->progress;
+}
+
 bool is_set(const stltsa_options* options, int32_t key) {
     return options != nullptr && (options->numbers.contains(key) || options->texts.contains(key));
 }
@@ -79,19 +84,6 @@ const char* OptionsReader::text(int32_t key) const {
     return options_->texts.at(key).c_str();
 }
 
-Progress OptionsReader::progress() const {
-    if (options_ == nullptr || options_->progress == nullptr)
-        return {};
-    return {tell, const_cast<OptionsReader*>(this)};
-}
-
-std::int32_t OptionsReader::tell(void* reader, std::int32_t stage, double fraction) {
-    const auto& self = *static_cast<const OptionsReader*>(reader);
-    self.furthest_ = std::max(self.furthest_, std::pair(stage, fraction));
-    return self.options_->progress(self.options_->progress_user, self.furthest_.first,
-                                   self.furthest_.second);
-}
-
 int OptionsReader::threads() const {
     return thread_count(integer_if_set(STLTSA_OPT_THREADS));
 }
@@ -104,7 +96,6 @@ clip::ReadOptions OptionsReader::read_options() const {
     if (is_set(options_, STLTSA_OPT_SUBJECT))
         read.subject = text(STLTSA_OPT_SUBJECT);
     read.least_confidence = real(STLTSA_OPT_LEAST_CONFIDENCE);
-    read.progress = progress();
     return read;
 }
 
@@ -163,7 +154,7 @@ results::MapOptions OptionsReader::map_options(const ltsa::Parameters& fitted) c
     const results::MapRequest asked = {integer_if_set(STLTSA_OPT_MAP_NEIGHBORS),
                                        integer(STLTSA_OPT_MAP_BLEND),
                                        integer_if_set(STLTSA_OPT_HINT_WINDOW)};
-    return {results::choose_map_parameters(asked, fitted), threads(), progress()};
+    return {results::choose_map_parameters(asked, fitted), threads()};
 }
 
 results::DenoiseOptions OptionsReader::denoise_options() const {
@@ -257,8 +248,5 @@ stltsa_status stltsa_options_get_text(const stltsa_options* options, int32_t key
 
 stltsa_status stltsa_options_set_progress(stltsa_options* options, stltsa_progress_fn progress,
                                           void* user) noexcept {
-    return guard([&] {
-        required(options, "options").progress = progress;
-        options->progress_user = user;
-    });
+    return guard([&] { required(options, "options").progress = {progress, user}; });
 }

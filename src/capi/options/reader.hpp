@@ -20,8 +20,7 @@
 struct stltsa_options {
     std::map<int32_t, double> numbers;
     std::map<int32_t, std::string> texts;
-    stltsa::Progress::Callback progress = nullptr;
-    void* progress_user = nullptr;
+    stltsa::Call::Asked progress;
 };
 
 namespace stltsa::capi {
@@ -42,8 +41,6 @@ class OptionsReader {
     std::optional<T> integer_if_set(int32_t key) const {
         return is_set(options_, key) ? std::optional(static_cast<T>(integer(key))) : std::nullopt;
     }
-    /// Valid as long as the reader. The progress that the caller sees never decreases.
-    Progress progress() const;
 
     clip::ReadOptions read_options() const;
     clip::PrepareOptions prepare_options() const;
@@ -58,10 +55,7 @@ class OptionsReader {
     int threads() const;
 
   private:
-    static std::int32_t tell(void* reader, std::int32_t stage, double fraction);
-
     const stltsa_options* options_;
-    mutable std::pair<std::int32_t, double> furthest_{0, 0}; ///< stage and fraction
 };
 
 } // namespace stltsa::capi

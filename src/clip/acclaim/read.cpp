@@ -177,12 +177,12 @@ void set_rate(Clip& clip, const ReadOptions& options) {
 
 Clip parse_amc(std::string_view bytes, const std::string& name, const ReadOptions& options) {
     const std::string& skeleton_path = options.skeleton;
-    std::string text = read_file(skeleton_path, options.progress);
-    AsfFile asf = parse_asf(text, skeleton_path, options.progress);
+    std::string text = read_file(skeleton_path);
+    AsfFile asf = parse_asf(text, skeleton_path);
     asf.skeleton.asf = std::move(text);
     if (channel_count(asf.skeleton) == 0)
         fail(Status::format, "{}: nothing in this skeleton can move", skeleton_path);
-    TextCursor in(bytes, name, options.progress);
+    TextCursor in(bytes, name);
     Clip clip;
     AmcReader(in, asf, skeleton_path).read(clip);
     set_rate(clip, options);

@@ -147,8 +147,8 @@ class SkeletonBuilder {
 
 } // namespace
 
-AsfFile parse_asf(std::string_view bytes, const std::string& name, const Progress& progress) {
-    TextCursor in(bytes, name, progress);
+AsfFile parse_asf(std::string_view bytes, const std::string& name) {
+    TextCursor in(bytes, name);
     const AsfSections sections = read_asf_sections(in);
     return {SkeletonBuilder(in, sections).build(), sections.degrees};
 }

@@ -18,6 +18,6 @@ struct AsfFile {
     bool degrees = true;
 };
 
-AsfFile parse_asf(std::string_view bytes, const std::string& name, const Progress& progress = {});
+AsfFile parse_asf(std::string_view bytes, const std::string& name);
 
 } // namespace stltsa::clip

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/checkpoint.hpp"
 #include "clip/acclaim/skeleton_file.hpp"
 #include "clip/clip.hpp"
 #include "clip/text/number.hpp"
@@ -21,7 +22,7 @@ void append_frame(std::string& text, const Skeleton& skeleton, const double* row
 
 } // namespace
 
-std::string format_amc(const Clip& clip, const Progress& progress) {
+std::string format_amc(const Clip& clip) {
     if (!clip.skeleton || clip.format != Format::amc)
         fail(Status::unsupported, "only a clip read from AMC can be written as AMC, because its "
                                   "skeleton is a separate ASF file: write .bvh or .csv");
@@ -32,11 +33,10 @@ std::string format_amc(const Clip& clip, const Progress& progress) {
         text += '\n';
     }
     text += ":DEGREES\n";
-    PacedPoll polls(progress, Stage::write);
     for (std::int64_t i = 0; i < clip.frames(); ++i) {
         text += format_text("{}\n", i + 1);
         append_frame(text, *clip.skeleton, clip.values.row(i));
-        polls.did(work_of_number * clip.values.cols());
+        checkpoint(work_of_number * clip.values.cols());
     }
     return text;
 }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "base/checkpoint.hpp"
 #include "clip/text/text_cursor.hpp"
 
 namespace stltsa::clip {
@@ -47,9 +48,9 @@ struct NumberColumn {
     }
 };
 
-std::vector<NumberColumn> columns_in(const Matrix& values, PacedPoll& polls) {
+std::vector<NumberColumn> columns_in(const Matrix& values) {
     std::vector<NumberColumn> columns(static_cast<std::size_t>(values.cols()));
-    for (std::int64_t i = 0; i < values.rows(); ++i, polls.did(values.cols()))
+    for (std::int64_t i = 0; i < values.rows(); ++i, checkpoint(values.cols()))
         for (std::size_t c = 0; c < columns.size(); ++c) {
             const double number = values.row(i)[c];
             if (may_be_code(number)) {
@@ -103,13 +104,13 @@ std::string note_of(double code, const CodeCells& cells, const std::vector<std::
 
 } // namespace
 
-void drop_missing_codes(Matrix& values, const std::vector<std::string>& names, PacedPoll& polls,
+void drop_missing_codes(Matrix& values, const std::vector<std::string>& names,
                         std::vector<std::string>& notes) {
-    const std::vector<NumberColumn> columns = columns_in(values, polls);
+    const std::vector<NumberColumn> columns = columns_in(values);
     std::map<double, CodeCells> codes = codes_of(columns);
     if (codes.empty())
         return;
-    for (std::int64_t i = 0; i < values.rows(); ++i, polls.did(values.cols()))
+    for (std::int64_t i = 0; i < values.rows(); ++i, checkpoint(values.cols()))
         for (std::size_t c = 0; c < columns.size(); ++c) {
             double& number = values.row(i)[c];
             const auto code = may_be_code(number) ? codes.find(number) : codes.end();

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "base/progress.hpp"
 #include "linalg/matrix.hpp"
 
 namespace stltsa::clip {
@@ -14,7 +13,7 @@ namespace stltsa::clip {
 /// powers of ten from a million, or the largest of their precision. They are in three cells or more
 /// outside the other numbers of the column, and in one column farther than these are apart, or in
 /// two alone.
-void drop_missing_codes(Matrix& values, const std::vector<std::string>& names, PacedPoll& polls,
+void drop_missing_codes(Matrix& values, const std::vector<std::string>& names,
                         std::vector<std::string>& notes);
 
 } // namespace stltsa::clip

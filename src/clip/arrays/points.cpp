@@ -113,8 +113,7 @@ Clip clip_from_points(const PointArrays& arrays) {
     clip.space = arrays.space;
     clip.values = copied(arrays.positions);
     clip.channel_names = coordinate_names(arrays.names, arrays.space);
-    PacedPoll polls(std::function<void()>{});
-    drop_missing_codes(clip.values, clip.channel_names, polls, clip.notes);
+    drop_missing_codes(clip.values, clip.channel_names, clip.notes);
     complete_gaps(clip.values, arrays.space);
     const std::int64_t dropped =
         drop_unsure(clip.values, arrays.space, arrays.confidence, arrays.least_confidence);

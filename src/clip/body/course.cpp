@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "base/progress.hpp"
+#include "base/checkpoint.hpp"
 #include "clip/body/heading.hpp"
 
 namespace stltsa::clip {
@@ -23,7 +23,7 @@ double wrapped(double radians) {
 
 } // namespace
 
-Course::Course(const Clip& clip, Axis up, int point_columns, const std::function<void()>& poll) {
+Course::Course(const Clip& clip, Axis up, int point_columns) {
     if (up == Axis::none || clip.frames() == 0)
         return;
     const std::int64_t axis = static_cast<std::int64_t>(up) - 1;
@@ -34,7 +34,7 @@ Course::Course(const Clip& clip, Axis up, int point_columns, const std::function
     } else if (point_columns > 0) {
         course_ = Matrix(clip.frames(), column_count);
         points_ = clip.values;
-        follow_points(clip, poll);
+        follow_points(clip);
     }
 }
 
@@ -105,12 +105,11 @@ Course::Motion Course::motion_of_points(std::int64_t from, std::int64_t to) cons
     return motion;
 }
 
-void Course::follow_points(const Clip& clip, const std::function<void()>& poll) {
-    PacedPoll polls(poll);
+void Course::follow_points(const Clip& clip) {
     std::int64_t last = 0; // where points were seen
     for (std::int64_t i = 1; i < clip.frames(); ++i) {
         const Motion motion = motion_of_points(last, i);
-        polls.did(2 * points_.cols());
+        checkpoint(2 * points_.cols());
         advance(i, motion);
         if (motion.points > 0 || motion_of_points(last, last).points == 0)
             last = i;

@@ -2,8 +2,6 @@
 // Where the body goes over the ground, and how it turns.
 #pragma once
 
-#include <functional>
-
 #include "clip/body/up_axis.hpp"
 
 namespace stltsa::clip {
@@ -21,7 +19,7 @@ class Course {
   public:
     /// `point_columns`: columns of each point, 2 or 3, of a clip of points; 0: of another clip.
     /// Without a skeleton, points or an up axis everything is unknown.
-    Course(const Clip& clip, Axis up, int point_columns, const std::function<void()>& poll = {});
+    Course(const Clip& clip, Axis up, int point_columns);
 
     /// From one frame to another, both fractional and within the clip. The turn of points compares
     /// the postures at both ends, which should be alike.
@@ -38,7 +36,7 @@ class Course {
     };
 
     void follow_root(const Clip& clip, Axis up);
-    void follow_points(const Clip& clip, const std::function<void()>& poll);
+    void follow_points(const Clip& clip);
     Motion motion_of_points(std::int64_t from, std::int64_t to) const;
     void advance(std::int64_t frame, const Motion& motion);
     double at(double frame, std::int64_t column) const;

@@ -21,7 +21,7 @@ Quaternion joint_rotation(const Joint& joint, bool fixed_axes, const double* val
 Vec3 joint_translation(const Joint& joint, const double* values);
 
 /// The work of placing a skeleton in a frame, for each of its channels, compared with adding; for
-/// PacedPoll.
+/// checkpoint().
 inline constexpr std::int64_t work_of_channel = 100;
 
 /// One frame of a skeleton; each vector has one entry per joint.

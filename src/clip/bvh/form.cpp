@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/checkpoint.hpp"
 #include "clip/body/angles.hpp"
 #include "clip/body/heading.hpp"
 #include "clip/body/kinematics.hpp"
@@ -37,14 +38,13 @@ void put_pose(const Skeleton& skeleton, const Pose& pose, double* row) {
     }
 }
 
-void convert_rotations(Clip& clip, const Progress& progress) {
+void convert_rotations(Clip& clip) {
     const Skeleton from = *clip.skeleton;
     clip.skeleton = bvh_skeleton(from);
     Matrix values(clip.frames(), channel_count(*clip.skeleton));
     Pose pose;
-    PacedPoll polls(progress, Stage::write);
     for (std::int64_t i = 0; i < clip.frames(); ++i) {
-        polls.did(work_of_channel * values.cols());
+        checkpoint(work_of_channel * values.cols());
         pose.place(from, clip.values.row(i));
         if (i > 0)
             std::copy_n(values.row(i - 1), values.cols(), values.row(i));
@@ -152,11 +152,11 @@ bool positions_add_to_offsets(const Clip& clip) {
     return votes > 0;
 }
 
-Clip in_bvh_form(const Clip& clip, const Progress& progress) {
+Clip in_bvh_form(const Clip& clip) {
     Clip result = clip;
     reorder(result);
     if (clip.skeleton->fixed_axes)
-        convert_rotations(result, progress);
+        convert_rotations(result);
     convert_positions(result, with_positions(*result.skeleton, false));
     // If most joints would be misread one way, most are read correctly the other way.
     if (positions_add_to_offsets(result))

@@ -21,6 +21,6 @@ bool positions_add_to_offsets(const Clip& clip);
 /// The same motion as other programs expect it: joints in depth-first order, rotations about moving
 /// axes, and positions that replace the joints' OFFSETs. If the rule above would misread these,
 /// they add.
-Clip in_bvh_form(const Clip& clip, const Progress& progress);
+Clip in_bvh_form(const Clip& clip);
 
 } // namespace stltsa::clip

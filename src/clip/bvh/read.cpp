@@ -157,7 +157,7 @@ class RowReader {
 } // namespace
 
 Clip parse_bvh(std::string_view bytes, const std::string& name, const ReadOptions& options) {
-    TextCursor in(bytes, name, options.progress);
+    TextCursor in(bytes, name);
     Clip clip;
     clip.skeleton = read_bvh_hierarchy(in);
     clip.channel_names = channel_names(*clip.skeleton);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/checkpoint.hpp"
 #include "clip/body/skeleton.hpp"
 #include "clip/bvh/form.hpp"
 #include "clip/clip.hpp"
@@ -82,8 +83,7 @@ class HierarchyWriter {
     std::vector<int> open_;
 };
 
-void append_motion(std::string& text, const Clip& clip, const Progress& progress) {
-    PacedPoll polls(progress, Stage::write);
+void append_motion(std::string& text, const Clip& clip) {
     text += format_text("MOTION\nFrames: {}\nFrame Time: ", clip.frames());
     append_number(text, clip.frame_time > 0 ? clip.frame_time : 1 / clip.fps);
     text += '\n';
@@ -92,13 +92,13 @@ void append_motion(std::string& text, const Clip& clip, const Progress& progress
             append_number(text, clip.values(i, c));
             text += c + 1 < clip.values.cols() ? ' ' : '\n';
         }
-        polls.did(work_of_number * clip.values.cols());
+        checkpoint(work_of_number * clip.values.cols());
     }
 }
 
 } // namespace
 
-std::string format_bvh(const Clip& clip, const Progress& progress) {
+std::string format_bvh(const Clip& clip) {
     if (!clip.skeleton)
         fail(Status::unsupported,
              "a BVH file needs a skeleton, but this clip is a bare matrix: write .csv or .npy");
@@ -110,10 +110,10 @@ std::string format_bvh(const Clip& clip, const Progress& progress) {
              "a frame of a BVH file takes at most {:g} s, but one of this clip takes {:g} s: give "
              "the clip a higher frame rate",
              longest_frame_s, 1 / clip.fps);
-    const Clip bvh = in_bvh_form(clip, progress);
+    const Clip bvh = in_bvh_form(clip);
     std::string text;
     HierarchyWriter(*bvh.skeleton, text).write();
-    append_motion(text, bvh, progress);
+    append_motion(text, bvh);
     return text;
 }
 

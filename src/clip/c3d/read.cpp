@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "base/checkpoint.hpp"
 #include "clip/arrays/arrays.hpp"
 #include "clip/arrays/missing_codes.hpp"
 #include "clip/c3d/file.hpp"
@@ -204,11 +205,9 @@ void read_point(const File& file, const Layout& layout, std::size_t at, double* 
             missing ? std::numeric_limits<double>::quiet_NaN() : numbers[axis] * layout.scale;
 }
 
-Matrix read_points(const File& file, const Layout& layout, const std::vector<std::size_t>& kept,
-                   const Progress& progress) {
+Matrix read_points(const File& file, const Layout& layout, const std::vector<std::size_t>& kept) {
     Matrix values = Matrix::unset(layout.frames, 3 * std::ssize(kept));
-    PacedPoll polls(progress, Stage::read, 1);
-    for (std::int64_t i = 0; i < layout.frames; ++i, polls.did(4 * values.cols())) {
+    for (std::int64_t i = 0; i < layout.frames; ++i, checkpoint(4 * values.cols())) {
         const std::size_t frame = layout.begin + static_cast<std::size_t>(i) * layout.frame_size;
         double* point = values.row(i);
         for (const std::size_t p : kept) {
@@ -340,10 +339,9 @@ Clip parse_c3d(std::string_view bytes, const std::string& name, const ReadOption
     const std::vector<std::string> labels = keep_subject(names, options.subject, file, kept, clip);
     clip.fps = rate_in(file, clip);
     clip.space = 3;
-    clip.values = read_points(file, layout, kept, options.progress);
+    clip.values = read_points(file, layout, kept);
     clip.channel_names = coordinate_names(labels, clip.space);
-    PacedPoll polls(options.progress, Stage::read, 1);
-    drop_missing_codes(clip.values, clip.channel_names, polls, clip.notes);
+    drop_missing_codes(clip.values, clip.channel_names, clip.notes);
     read_up_axis(file, clip);
     const auto units = file.parameter("point:units").texts;
     clip.unit = units.empty() ? "" : units[0];

@@ -79,9 +79,9 @@ std::optional<double> json_number(std::string_view text, std::string_view member
 
 } // namespace
 
-std::vector<std::string> channel_names(const std::string& path, const Progress& progress) {
-    const std::string bytes = read_file(path, progress);
-    TextCursor in(bytes, path, progress);
+std::vector<std::string> channel_names(const std::string& path) {
+    const std::string bytes = read_file(path);
+    TextCursor in(bytes, path);
     const auto cells_of = [&](std::string_view line) {
         auto cells = split_cells(line, '\t');
         if (!cells)
@@ -97,8 +97,8 @@ std::vector<std::string> channel_names(const std::string& path, const Progress& 
     return names;
 }
 
-double sampling_frequency(const std::string& path, const Progress& progress) {
-    const std::string text = read_file(path, progress);
+double sampling_frequency(const std::string& path) {
+    const std::string text = read_file(path);
     const double rate = json_number(text, "SamplingFrequency").value_or(0);
     return rate >= lowest_fps && rate <= highest_fps ? rate : 0;
 }

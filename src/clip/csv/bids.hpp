@@ -7,8 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "base/progress.hpp"
-
 namespace stltsa::clip {
 
 bool is_bids_motion(const std::string& path);
@@ -23,9 +21,9 @@ std::string find_beside(const std::string& motion_path, std::string_view ending)
 
 /// The names of the columns, from a table of channels: those of positions are coordinates of the
 /// tracked points, others have their type and unit.
-std::vector<std::string> channel_names(const std::string& path, const Progress& progress);
+std::vector<std::string> channel_names(const std::string& path);
 
 /// Frames a second, from the JSON file; 0: unknown.
-double sampling_frequency(const std::string& path, const Progress& progress);
+double sampling_frequency(const std::string& path);
 
 } // namespace stltsa::clip

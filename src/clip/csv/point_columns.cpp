@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 
+#include "base/checkpoint.hpp"
 #include "clip/arrays/arrays.hpp"
 #include "clip/features/point_names.hpp"
 #include "clip/features/subjects.hpp"
@@ -227,14 +228,12 @@ void note_unit(const Columns& found, Clip& clip) {
         clip.notes.push_back("unit of the positions, by the names of the columns: " + unit);
 }
 
-Matrix columns_of(const Matrix& values, const std::vector<std::int64_t>& columns,
-                  const Progress& progress) {
+Matrix columns_of(const Matrix& values, const std::vector<std::int64_t>& columns) {
     Matrix result = Matrix::unset(values.rows(), std::ssize(columns));
-    PacedPoll polls(progress, Stage::read, 1);
     for (std::int64_t i = 0; i < values.rows(); ++i) {
         std::transform(columns.begin(), columns.end(), result.row(i),
                        [row = values.row(i)](std::int64_t column) { return row[column]; });
-        polls.did(result.cols());
+        checkpoint(result.cols());
     }
     return result;
 }
@@ -281,9 +280,9 @@ void keep_points(const Columns& found, Clip& clip, const ReadOptions& options) {
         if (point.confidence != none)
             confidence.push_back(point.confidence);
     }
-    const Matrix sure = columns_of(clip.values, confidence, options.progress);
+    const Matrix sure = columns_of(clip.values, confidence);
     clip.channel_names = found.names;
-    keep_columns(clip, coordinates, options.progress);
+    keep_columns(clip, coordinates);
     if (confidence.empty())
         return;
     const std::int64_t dropped =
@@ -311,8 +310,8 @@ void note_unclear_axes(Clip& clip) {
 
 } // namespace
 
-void keep_columns(Clip& clip, const std::vector<std::int64_t>& columns, const Progress& progress) {
-    clip.values = columns_of(clip.values, columns, progress);
+void keep_columns(Clip& clip, const std::vector<std::int64_t>& columns) {
+    clip.values = columns_of(clip.values, columns);
     std::vector<std::string> names;
     for (const std::int64_t column : columns)
         names.push_back(clip.channel_names[static_cast<std::size_t>(column)]);
@@ -329,7 +328,7 @@ void take_columns_of_subject(Clip& clip, const std::string& file, const ReadOpti
     const auto chosen =
         take_subject(clip, names, options.subject, file, stated, Named::columns).points;
     if (chosen.size() < names.size())
-        keep_columns(clip, {chosen.begin(), chosen.end()}, options.progress);
+        keep_columns(clip, {chosen.begin(), chosen.end()});
 }
 
 void take_points(Clip& clip, const std::string& file, const ReadOptions& options,
@@ -349,7 +348,7 @@ void take_points(Clip& clip, const std::string& file, const ReadOptions& options
                                          "those of points: {}",
                                          coordinates_of(found), why));
         if (found.of_subject.size() < found.names.size())
-            keep_columns(clip, found.of_subject, options.progress);
+            keep_columns(clip, found.of_subject);
         return;
     }
     keep_points(found, clip, options);

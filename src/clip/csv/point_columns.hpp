@@ -21,6 +21,6 @@ void take_columns_of_subject(Clip& clip, const std::string& file, const ReadOpti
                              const std::vector<Subject>& stated = {});
 
 /// Keeps these columns only, in this order.
-void keep_columns(Clip& clip, const std::vector<std::int64_t>& columns, const Progress& progress);
+void keep_columns(Clip& clip, const std::vector<std::int64_t>& columns);
 
 } // namespace stltsa::clip

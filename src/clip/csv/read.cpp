@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "base/checkpoint.hpp"
 #include "base/formula.hpp"
 #include "clip/arrays/missing_codes.hpp"
 #include "clip/csv/bids.hpp"
@@ -66,7 +67,7 @@ std::string_view without_indent(std::string_view line) {
 class CsvReader {
   public:
     CsvReader(TextCursor& in, Clip& clip, const ReadOptions& options)
-        : in_(in), clip_(clip), options_(options), polls_(options.progress, Stage::read, 1) {}
+        : in_(in), clip_(clip), options_(options) {}
 
     void read() {
         if (!options_.channels.empty()) {
@@ -117,9 +118,9 @@ class CsvReader {
         Matrix values = Matrix::unset(rows_, static_cast<std::int64_t>(columns_));
         for (std::int64_t i = 0; i < rows_; ++i) {
             std::copy_n(values_.data() + i * values.cols(), values.cols(), values.row(i));
-            polls_.did(values.cols());
+            checkpoint(values.cols());
         }
-        drop_missing_codes(values, clip_.channel_names, polls_, clip_.notes);
+        drop_missing_codes(values, clip_.channel_names, clip_.notes);
         clip_.values = std::move(values);
         take_rows_of_subject(clip_, subject_column_, subjects_, lines_, in_.name(), options_);
         drop_text();
@@ -127,10 +128,10 @@ class CsvReader {
 
     /// Motion-BIDS: another file describes the columns.
     void described_rows() {
-        clip_.channel_names = channel_names(options_.channels, options_.progress);
+        clip_.channel_names = channel_names(options_.channels);
         clip_.notes.push_back("the columns are those of " + options_.channels);
         if (!options_.sidecar.empty())
-            clip_.fps = sampling_frequency(options_.sidecar, options_.progress);
+            clip_.fps = sampling_frequency(options_.sidecar);
         if (clip_.fps > 0)
             clip_.notes.push_back(
                 format_text("{:g} frames a second from {}", clip_.fps, options_.sidecar));
@@ -305,7 +306,7 @@ class CsvReader {
                 kept.push_back(static_cast<std::int64_t>(c));
         if (names.empty())
             return;
-        keep_columns(clip_, kept, options_.progress);
+        keep_columns(clip_, kept);
         for (std::size_t c = 0; c < kept.size(); ++c)
             dated_[c] = dated_[static_cast<std::size_t>(kept[c])];
         dated_.resize(kept.size());
@@ -321,7 +322,6 @@ class CsvReader {
     TextCursor& in_;
     Clip& clip_;
     const ReadOptions& options_;
-    PacedPoll polls_;
     char separator_ = ',';
     std::size_t columns_ = 0;
     std::int64_t rows_ = 0;
@@ -348,7 +348,7 @@ TableFacts read_rows(TextCursor& in, Clip& clip, TableHead head, const ReadOptio
 }
 
 Clip parse_csv(std::string_view bytes, const std::string& name, const ReadOptions& options) {
-    TextCursor in(bytes, name, options.progress);
+    TextCursor in(bytes, name);
     Clip clip;
     CsvReader reader(in, clip, options);
     reader.read();

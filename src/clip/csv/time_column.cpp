@@ -327,7 +327,7 @@ class TimeColumns {
         if (kept.empty())
             fail(Status::format, "{}: there is no channel besides time and frame numbers", name_);
         if (std::ssize(kept) < clip_.values.cols())
-            keep_columns(clip_, kept, options_.progress);
+            keep_columns(clip_, kept);
     }
 
     void take(EvenRows even) {

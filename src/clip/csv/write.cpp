@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/checkpoint.hpp"
 #include "base/formula.hpp"
 #include "clip/clip.hpp"
 #include "clip/csv/cells.hpp"
@@ -67,11 +68,10 @@ std::string header(const Clip& clip, bool with_time) {
 
 } // namespace
 
-std::string format_csv(const Clip& clip, const Progress& progress) {
+std::string format_csv(const Clip& clip) {
     // The reader gets the frame rate from the steps of time, so a single row cannot give it.
     const bool with_time = clip.fps > 0 && clip.frames() > 1;
     std::string text = header(clip, with_time);
-    PacedPoll polls(progress, Stage::write);
     for (std::int64_t i = 0; i < clip.frames(); ++i) {
         if (with_time) {
             append_number(text, static_cast<double>(i) / clip.fps);
@@ -83,7 +83,7 @@ std::string format_csv(const Clip& clip, const Progress& progress) {
                 append_number(text, clip.values(i, c));
         }
         text += '\n';
-        polls.did(work_of_number * clip.values.cols());
+        checkpoint(work_of_number * clip.values.cols());
     }
     return text;
 }

@@ -59,13 +59,12 @@ void subtract(const Matrix& knots, std::int64_t step, std::int64_t column, Matri
 
 } // namespace
 
-std::vector<std::int64_t> remove_drift(Matrix& samples, double fps,
-                                       const std::function<void()>& poll) {
+std::vector<std::int64_t> remove_drift(Matrix& samples, double fps) {
     const double sigma = slow_s * fps;
     if (static_cast<double>(samples.rows()) < one_way_s * fps)
         return {};
     const auto step = std::max<std::int64_t>(1, static_cast<std::int64_t>(sigma / 8));
-    const Matrix knots = gaussian_smoothed(samples.view(), sigma, Beyond::reflection, step, poll);
+    const Matrix knots = gaussian_smoothed(samples.view(), sigma, Beyond::reflection, step);
     const double least = one_way_s * fps / static_cast<double>(step) - 1;
     std::vector<std::int64_t> drifting;
     for (std::int64_t c = 0; c < samples.cols() && knots.rows() > 1; ++c) {

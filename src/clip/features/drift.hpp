@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "linalg/matrix.hpp"
@@ -12,8 +11,7 @@
 namespace stltsa::clip {
 
 /// Subtracts the slow part of the columns that only drift, and gives their indices. `fps`: of the
-/// samples. `poll`: called periodically; may throw to stop.
-std::vector<std::int64_t> remove_drift(Matrix& samples, double fps,
-                                       const std::function<void()>& poll = {});
+/// samples.
+std::vector<std::int64_t> remove_drift(Matrix& samples, double fps);
 
 } // namespace stltsa::clip

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/checkpoint.hpp"
 #include "base/numbers.hpp"
-#include "base/progress.hpp"
 #include "clip/body/heading.hpp"
 #include "clip/body/kinematics.hpp"
 #include "clip/body/skeleton.hpp"
@@ -35,11 +35,9 @@ void need_points(const Clip& clip) {
 
 /// Called before gaps are predicted and before smoothing, which turn larger numbers into NaN.
 /// `gaps`: NaN is a missing value.
-void check_magnitude(const Matrix& matrix, bool gaps = false,
-                     const std::function<void()>& poll = {}) {
-    PacedPoll polls(poll);
+void check_magnitude(const Matrix& matrix, bool gaps = false) {
     for (std::int64_t i = 0; i < matrix.rows(); ++i) {
-        polls.did(matrix.cols());
+        checkpoint(matrix.cols());
         const double* row = matrix.row(i);
         const double* found = std::find_if_not(row, row + matrix.cols(), [gaps](double value) {
             return std::abs(value) <= largest_number || (gaps && std::isnan(value));
@@ -53,17 +51,16 @@ void check_magnitude(const Matrix& matrix, bool gaps = false,
 }
 
 /// The values of a bare matrix, with its gaps filled.
-FeatureRows raw_rows(const Clip& clip, GapRule rule, const std::function<void()>& poll) {
-    PacedPoll polls(poll);
+FeatureRows raw_rows(const Clip& clip, GapRule rule) {
     FeatureRows made;
     made.rows = Matrix::unset(clip.frames(), clip.values.cols());
     for (std::int64_t i = 0; i < clip.frames(); ++i) {
         std::copy_n(clip.values.row(i), clip.values.cols(), made.rows.row(i));
-        polls.did(clip.values.cols());
+        checkpoint(clip.values.cols());
     }
-    const Gaps gaps = fill_gaps(made.rows, 1, rule, clip.fps, poll);
+    const Gaps gaps = fill_gaps(made.rows, 1, rule, clip.fps);
     note_gaps(clip, 1, rule, gaps, made.notes);
-    predict_gaps(made.rows, 1, gaps, poll);
+    predict_gaps(made.rows, 1, gaps);
     made.holes = gaps.holes;
     made.rows = with_all_frames(std::move(made.rows), gaps.kept, clip.frames());
     return made;
@@ -124,38 +121,36 @@ std::int64_t feature_count(const Clip& clip, std::optional<Features> requested) 
     return PoseFeatures(*clip.skeleton, kind, Heading(body_root(clip))).count();
 }
 
-Matrix body_features(const Clip& clip, Features kind, Heading heading,
-                     const std::function<void()>& poll) {
+Matrix body_features(const Clip& clip, Features kind, Heading heading) {
     if (kind == Features::raw)
         return clip.values;
     PoseFeatures features(*clip.skeleton, kind, heading);
     Matrix rows = Matrix::unset(clip.frames(), features.count());
-    PacedPoll polls(poll);
     for (std::int64_t frame = 0; frame < clip.frames(); ++frame) {
         features.next(clip.values.row(frame), rows.row(frame));
-        polls.did(work_of_channel * clip.values.cols());
+        checkpoint(work_of_channel * clip.values.cols());
     }
     return rows;
 }
 
 FeatureRows feature_rows(const Clip& clip, std::optional<Features> requested,
-                         std::optional<Axis> up, GapRule rule, const std::function<void()>& poll) {
+                         std::optional<Axis> up, GapRule rule) {
     feature_count(clip, requested); // fails if there are none
     const Features kind = feature_kind(clip, requested);
     if (!clip.skeleton)
-        check_magnitude(clip.values, true, poll);
+        check_magnitude(clip.values, true);
     FeatureRows made;
     if (kind == Features::points) {
-        made = points(clip, up, rule, poll);
+        made = points(clip, up, rule);
     } else if (!clip.skeleton) {
-        made = raw_rows(clip, rule, poll);
+        made = raw_rows(clip, rule);
     } else {
         made.up = up_axis(clip, up);
         made.rows = kind == Features::raw
                         ? clip.values
-                        : body_features(clip, kind, Heading(clip, body_root(clip), made.up), poll);
+                        : body_features(clip, kind, Heading(clip, body_root(clip), made.up));
     }
-    check_magnitude(made.rows, false, poll);
+    check_magnitude(made.rows, false);
     return made;
 }
 

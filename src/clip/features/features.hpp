@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 
 #include "clip/body/heading.hpp"
@@ -43,14 +42,11 @@ struct FeatureRows {
     std::vector<std::string> notes; ///< what was filled, assumed and removed
     std::vector<Frames> holes;      ///< of which nothing is known
 };
-/// `poll`: called periodically, may throw.
 FeatureRows feature_rows(const Clip& clip, std::optional<Features> requested,
-                         std::optional<Axis> up, GapRule rule = GapRule::fill,
-                         const std::function<void()>& poll = {});
+                         std::optional<Axis> up, GapRule rule = GapRule::fill);
 Matrix features(const Clip& clip, std::optional<Features> requested, std::optional<Axis> up);
 
-/// Features of a clip whose body root and heading are known. `poll`: as above.
-Matrix body_features(const Clip& clip, Features kind, Heading heading,
-                     const std::function<void()>& poll = {});
+/// Features of a clip whose body root and heading are known.
+Matrix body_features(const Clip& clip, Features kind, Heading heading);
 
 } // namespace stltsa::clip

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "base/progress.hpp"
+#include "base/checkpoint.hpp"
 
 namespace stltsa::clip {
 namespace {
@@ -17,10 +17,10 @@ constexpr double least_share = 1.0 / 3;
 /// The gaps of each group, in order.
 using GapLists = std::vector<std::vector<Gap>>;
 
-GapLists find_gaps(const Matrix& rows, int width, PacedPoll& polls) {
+GapLists find_gaps(const Matrix& rows, int width) {
     GapLists gaps(static_cast<std::size_t>(rows.cols() / width));
     for (std::int64_t i = 0; i < rows.rows(); ++i) {
-        polls.did(2 * rows.cols());
+        checkpoint(2 * rows.cols());
         for (std::size_t g = 0; g < gaps.size(); ++g) {
             const auto group = static_cast<std::int64_t>(g);
             if (!is_missing(rows.row(i) + width * group, width))
@@ -125,12 +125,11 @@ void drop_unseen(const GapLists& found, std::int64_t frames, Gaps& gaps) {
 
 /// Sums, over the frames, the mean displacement of the groups that both frames have: the path of
 /// the body, whichever of its points are seen. Without the body, it stands.
-Matrix path_of(const Matrix& rows, int width, const std::vector<std::int64_t>& seen,
-               PacedPoll& polls) {
+Matrix path_of(const Matrix& rows, int width, const std::vector<std::int64_t>& seen) {
     Matrix path(rows.rows(), width);
     std::vector<double> moved(static_cast<std::size_t>(width));
     for (std::int64_t i = 1; i < rows.rows(); ++i) {
-        polls.did(2 * rows.cols());
+        checkpoint(2 * rows.cols());
         std::ranges::fill(moved, 0);
         std::int64_t count = 0;
         for (const std::int64_t g : seen) {
@@ -179,38 +178,35 @@ Frames between_end_holes(const std::vector<Frames>& holes, std::int64_t frames) 
     return kept;
 }
 
-Gaps fill_gaps(Matrix& rows, int width, GapRule rule, double fps,
-               const std::function<void()>& poll) {
-    PacedPoll polls(poll);
+Gaps fill_gaps(Matrix& rows, int width, GapRule rule, double fps) {
     Gaps gaps;
     const double longest = longest_filled_s * (fps > 0 ? fps : usual_rate);
-    GapLists found = find_gaps(rows, width, polls);
+    GapLists found = find_gaps(rows, width);
     choose_groups(found, rows.rows(), gaps);
     gaps.holes = find_holes(found, gaps.seen, rows.rows(), longest);
     gaps.kept = between_end_holes(gaps.holes, rows.rows());
     if (gaps.kept.count() < rows.rows()) {
         rows = copied(rows.view().block(gaps.kept.begin, gaps.kept.count()));
-        found = find_gaps(rows, width, polls);
+        found = find_gaps(rows, width);
         drop_unseen(found, rows.rows(), gaps);
     }
     for (const std::int64_t g : gaps.dropped)
         for (std::int64_t i = 0; i < rows.rows(); ++i) {
-            polls.did(width);
+            checkpoint(width);
             std::fill_n(rows.row(i) + width * g, width, 0.0);
         }
     // Columns that are no coordinates have no path in common.
     const bool travels = width > 1 && std::ranges::any_of(gaps.seen, [&](std::int64_t g) {
                              return !found[static_cast<std::size_t>(g)].empty();
                          });
-    const Matrix path =
-        travels ? path_of(rows, width, gaps.seen, polls) : Matrix(rows.rows(), width);
+    const Matrix path = travels ? path_of(rows, width, gaps.seen) : Matrix(rows.rows(), width);
     for (const std::int64_t g : gaps.seen) {
         const std::vector<Gap>& of_group = found[static_cast<std::size_t>(g)];
         if (!of_group.empty())
             gaps.filled.push_back(g);
         for (const Gap& gap : of_group) {
             fill_gap(rows, width, gap, path);
-            polls.did(gap.count() * width);
+            checkpoint(gap.count() * width);
             gaps.frames += gap.count();
             if (rule == GapRule::skip || static_cast<double>(gap.count()) > longest ||
                 gap.begin == 0 || gap.end == rows.rows())

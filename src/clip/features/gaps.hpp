@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "clip/clip.hpp"
@@ -59,9 +58,8 @@ Frames between_end_holes(const std::vector<Frames>& holes, std::int64_t frames);
 /// Takes the frames before the body comes and after it has left from the rows. In the others, fills
 /// all gaps linearly over time, and with the nearest value at the ends. Sets the columns of dropped
 /// groups to 0, so that they carry no weight and the others keep their places. `width`: columns of
-/// a group. `fps` 0: unknown. `poll`: called periodically, may throw.
-Gaps fill_gaps(Matrix& rows, int width, GapRule rule, double fps,
-               const std::function<void()>& poll = {});
+/// a group. `fps` 0: unknown.
+Gaps fill_gaps(Matrix& rows, int width, GapRule rule, double fps);
 
 /// Replaces what fill_gaps() put into the gaps listed as `predicted` by what the groups that are
 /// there imply: the conditional mean under the covariance of the rows, found by iteration
@@ -69,10 +67,8 @@ Gaps fill_gaps(Matrix& rows, int width, GapRule rule, double fps,
 /// 1977; for markers, Gloersen and Federolf, "Predicting missing marker trajectories in human
 /// motion data using marker intercorrelations", PLOS ONE, 2016). So a distance between two frames
 /// is that of what both have. Of many groups, those near the missing one are used, so that time and
-/// memory grow with the number of groups only. The rows must be relative to the body. `poll`:
-/// called periodically, may throw.
-void predict_gaps(Matrix& rows, int width, const Gaps& gaps,
-                  const std::function<void()>& poll = {});
+/// memory grow with the number of groups only. The rows must be relative to the body.
+void predict_gaps(Matrix& rows, int width, const Gaps& gaps);
 
 /// Rows for all frames of a clip: those that fill_gaps() took away are as the nearest ones.
 Matrix with_all_frames(Matrix rows, const Frames& kept, std::int64_t frames);

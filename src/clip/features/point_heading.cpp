@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/checkpoint.hpp"
+
 namespace stltsa::clip {
 namespace {
 
@@ -44,15 +46,14 @@ Flat match(const FlatShape& shape, const FlatShape& reference) {
 
 class Shapes {
   public:
-    Shapes(Matrix& points, const std::vector<std::int64_t>& chosen, Axis up, PacedPoll& polls)
-        : points_(points), chosen_(chosen), polls_(polls),
-          first_(static_cast<std::int64_t>(up) % 3),
+    Shapes(Matrix& points, const std::vector<std::int64_t>& chosen, Axis up)
+        : points_(points), chosen_(chosen), first_(static_cast<std::int64_t>(up) % 3),
           second_((static_cast<std::int64_t>(up) + 1) % 3) {}
 
     std::int64_t frames() const { return points_.rows(); }
 
     FlatShape shape(std::int64_t frame) const {
-        polls_.did(std::ssize(chosen_));
+        checkpoint(std::ssize(chosen_));
         FlatShape points;
         points.reserve(chosen_.size());
         for (const std::int64_t p : chosen_)
@@ -87,7 +88,6 @@ class Shapes {
   private:
     Matrix& points_;
     const std::vector<std::int64_t>& chosen_;
-    PacedPoll& polls_;
     std::int64_t first_, second_; ///< the horizontal axes, so that (first, second, up) is even
 };
 
@@ -138,7 +138,7 @@ Link weighed(std::size_t one, std::size_t other, const std::vector<FlatShape>& f
 /// Pairs of points, each weighted by the inverse variance of its horizontal length, which does not
 /// depend on the heading. Legs that swing against each other change the lengths between them, so
 /// their swing does not turn the body. With equal weights (the usual Procrustes match) it would.
-std::vector<Link> links_of(const std::vector<FlatShape>& frames, PacedPoll& polls) {
+std::vector<Link> links_of(const std::vector<FlatShape>& frames) {
     const std::size_t count = frames.front().size();
     const std::size_t step = 1 + (count - 2) / most_partners;
     double size = 0;
@@ -147,7 +147,7 @@ std::vector<Link> links_of(const std::vector<FlatShape>& frames, PacedPoll& poll
     std::vector<Link> links;
     for (std::size_t p = 0; p < count; ++p)
         for (std::size_t q = p + 1; q < count; q += step) {
-            polls.did(std::ssize(frames));
+            checkpoint(std::ssize(frames));
             links.push_back(weighed(p, q, frames, steadiest * steadiest * size));
         }
     return links;
@@ -166,8 +166,7 @@ FlatShape weighted(const std::vector<Link>& links, const FlatShape& shape) {
 
 /// The shape that the frames match best when each is turned to it: the first eigenvector of the
 /// sum of x x* W over the frames x, where W weights pairs (Kent 1994), by power iteration.
-FlatShape mean_shape(const std::vector<FlatShape>& frames, const std::vector<Link>& links,
-                     PacedPoll& polls) {
+FlatShape mean_shape(const std::vector<FlatShape>& frames, const std::vector<Link>& links) {
     constexpr int most_rounds = 100;
     constexpr double same = 1 - 1e-12;
     FlatShape mean = *std::ranges::max_element(frames, {}, norm);
@@ -176,7 +175,7 @@ FlatShape mean_shape(const std::vector<FlatShape>& frames, const std::vector<Lin
         const FlatShape reference = weighted(links, mean);
         FlatShape next(mean.size());
         for (const FlatShape& frame : frames) {
-            polls.did(std::ssize(frame));
+            checkpoint(std::ssize(frame));
             const Flat turn = match(frame, reference);
             for (std::size_t p = 0; p < next.size(); ++p)
                 next[p] += turn * frame[p];
@@ -205,14 +204,13 @@ FlatShape with_own_heading(FlatShape shape) {
 
 } // namespace
 
-bool remove_heading(Matrix& points, const std::vector<std::int64_t>& chosen, Axis up,
-                    PacedPoll& polls) {
-    Shapes shapes(points, chosen, up, polls);
+bool remove_heading(Matrix& points, const std::vector<std::int64_t>& chosen, Axis up) {
+    Shapes shapes(points, chosen, up);
     if (!shapes.have_heading(up))
         return false;
     const std::vector<FlatShape> some = some_frames(shapes);
-    const std::vector<Link> links = links_of(some, polls);
-    const FlatShape reference = weighted(links, with_own_heading(mean_shape(some, links, polls)));
+    const std::vector<Link> links = links_of(some);
+    const FlatShape reference = weighted(links, with_own_heading(mean_shape(some, links)));
     std::vector<Flat> matches;
     std::vector<double> lengths;
     for (std::int64_t i = 0; i < shapes.frames(); ++i) {
@@ -229,9 +227,9 @@ bool remove_heading(Matrix& points, const std::vector<std::int64_t>& chosen, Axi
 }
 
 double turned_range(const Matrix& points, const Matrix& turned,
-                    const std::vector<std::int64_t>& chosen, Axis up, PacedPoll& polls) {
+                    const std::vector<std::int64_t>& chosen, Axis up) {
     Matrix from = copied(points.view()), to = copied(turned.view());
-    const Shapes before(from, chosen, up, polls), after(to, chosen, up, polls);
+    const Shapes before(from, chosen, up), after(to, chosen, up);
     double angle = 0, least = 0, most = 0;
     for (std::int64_t i = 0; i < before.frames(); ++i) {
         double next = std::arg(match(before.shape(i), after.shape(i)));

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/progress.hpp"
 #include "clip/body/up_axis.hpp"
 #include "linalg/matrix.hpp"
 
@@ -14,11 +13,10 @@ namespace stltsa::clip {
 /// depends on their shape but not on the heading in the file. Their horizontal mean must be at the
 /// origin. False, and nothing is changed, if they have no heading: they stand above each other, or
 /// in one vertical plane.
-bool remove_heading(Matrix& points, const std::vector<std::int64_t>& chosen, Axis up,
-                    PacedPoll& polls);
+bool remove_heading(Matrix& points, const std::vector<std::int64_t>& chosen, Axis up);
 
 /// The range of the angles, in radians, by which frames of one were turned to give the other.
 double turned_range(const Matrix& points, const Matrix& turned,
-                    const std::vector<std::int64_t>& chosen, Axis up, PacedPoll& polls);
+                    const std::vector<std::int64_t>& chosen, Axis up);
 
 } // namespace stltsa::clip

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/checkpoint.hpp"
 #include "clip/features/gap_notes.hpp"
 #include "clip/features/point_heading.hpp"
 #include "clip/features/point_names.hpp"
@@ -155,18 +156,17 @@ std::string removed(bool in_plane, bool turned) {
 
 /// Turns points in a plane only if they are seen from above: a body that is seen from the side
 /// leans, but does not turn.
-bool remove_heading_in_plane(Matrix& points, const Chosen& seen, PacedPoll& polls) {
+bool remove_heading_in_plane(Matrix& points, const Chosen& seen) {
     Matrix turned = copied(points.view());
-    if (!remove_heading(turned, seen, Axis::z, polls) ||
-        !(turned_range(points, turned, seen, Axis::z, polls) > std::numbers::pi / 2))
+    if (!remove_heading(turned, seen, Axis::z) ||
+        !(turned_range(points, turned, seen, Axis::z) > std::numbers::pi / 2))
         return false;
     points = std::move(turned);
     return true;
 }
 
 /// Removes path and heading from points in space without gaps, and says so.
-void remove_way(const Clip& clip, const Chosen& seen, bool in_plane, Axis up, PacedPoll& polls,
-                FeatureRows& made) {
+void remove_way(const Clip& clip, const Chosen& seen, bool in_plane, Axis up, FeatureRows& made) {
     if (std::ssize(seen) < least_points) {
         made.notes.push_back(format_text("path and heading of the points are kept: {} points have "
                                          "no shape, at least {} are needed",
@@ -175,7 +175,7 @@ void remove_way(const Clip& clip, const Chosen& seen, bool in_plane, Axis up, Pa
     }
     const std::int64_t values = made.rows.rows() * made.rows.cols();
     Matrix path = means(made.rows, seen);
-    polls.did(values);
+    checkpoint(values);
     const bool is_guess = up == Axis::none && !in_plane;
     made.up = in_plane   ? Axis::z
               : is_guess ? guessed_up(made.rows, seen, side_pairs(clip), path)
@@ -190,9 +190,9 @@ void remove_way(const Clip& clip, const Chosen& seen, bool in_plane, Axis up, Pa
     if (!in_plane)
         keep_slow_height(path, made.up, clip.fps > 0 ? clip.fps : usual_rate);
     subtract(made.rows, seen, path);
-    polls.did(values);
-    made.turned = in_plane ? remove_heading_in_plane(made.rows, seen, polls)
-                           : remove_heading(made.rows, seen, made.up, polls);
+    checkpoint(values);
+    made.turned = in_plane ? remove_heading_in_plane(made.rows, seen)
+                           : remove_heading(made.rows, seen, made.up);
     made.notes.push_back(
         format_text("columns taken as {} points in {}: removed {}; for the file's numbers set "
                     "option features to raw",
@@ -217,27 +217,25 @@ Axis points_up(const Clip& clip) {
     return guessed_up(filled, gaps.seen, side_pairs(clip), means(filled, gaps.seen));
 }
 
-FeatureRows points(const Clip& clip, std::optional<Axis> up, GapRule rule,
-                   const std::function<void()>& poll) {
-    PacedPoll polls(poll);
+FeatureRows points(const Clip& clip, std::optional<Axis> up, GapRule rule) {
     const std::int64_t values = clip.frames() * clip.values.cols();
     const int width = point_columns(clip);
     FeatureRows made{copied(clip.values.view()), Axis::none, false, {}, {}};
-    polls.did(values);
+    checkpoint(values);
     if (rule != GapRule::refuse)
-        note_strays(clip, width, drop_strays(made.rows, width, clip.fps, polls), made.notes);
-    polls.did(values);
-    const Gaps gaps = fill_gaps(made.rows, width, rule, clip.fps, poll);
+        note_strays(clip, width, drop_strays(made.rows, width, clip.fps), made.notes);
+    checkpoint(values);
+    const Gaps gaps = fill_gaps(made.rows, width, rule, clip.fps);
     note_gaps(clip, width, rule, gaps, made.notes);
     made.holes = gaps.holes;
     if (width == 2)
         made.rows = with_columns(made.rows, 2, 3);
-    remove_way(clip, gaps.seen, width == 2, up.value_or(clip.up), polls, made);
-    polls.did(values);
+    remove_way(clip, gaps.seen, width == 2, up.value_or(clip.up), made);
+    checkpoint(values);
     for (int round = 0; round < path_rounds && !gaps.predicted.empty(); ++round) {
-        predict_gaps(made.rows, 3, gaps, poll);
+        predict_gaps(made.rows, 3, gaps);
         center(made.rows, gaps.seen, made.up);
-        polls.did(values);
+        checkpoint(values);
     }
     if (width == 2)
         made.rows = with_columns(made.rows, 3, 2);

@@ -11,10 +11,8 @@ namespace stltsa::clip {
 /// The points relative to the body: gaps filled; their mean removed in the horizontal plane, the
 /// slow part of its height removed; one heading; columns as in the clip. Of points in a plane, the
 /// mean is removed, and the heading if it turns. `up` empty: as the file states it, or else
-/// guessed. Fewer than three points, or a clip without a frame rate, keep what these need. `poll`:
-/// called periodically, may throw.
-FeatureRows points(const Clip& clip, std::optional<Axis> up, GapRule rule,
-                   const std::function<void()>& poll = {});
+/// guessed. Fewer than three points, or a clip without a frame rate, keep what these need.
+FeatureRows points(const Clip& clip, std::optional<Axis> up, GapRule rule);
 
 /// The up axis that points() takes by itself; if it is guessed, none for fewer than three points; z
 /// for points in a plane.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/progress.hpp"
+#include "base/checkpoint.hpp"
 #include "clip/features/gaps.hpp"
 #include "clip/features/near_groups.hpp"
 #include "linalg/band.hpp"
@@ -43,8 +43,7 @@ struct Moments {
     /// squares of tiny numbers do not vanish; the predictions do not depend on it.
     Matrix covariance;
 
-    Moments(const Columns& columns, PacedPoll& polls)
-        : covariance(columns.count(), columns.count()) {
+    explicit Moments(const Columns& columns) : covariance(columns.count(), columns.count()) {
         const std::int64_t rows = columns.rows.rows();
         const std::int64_t cols = columns.count();
         const std::int64_t step = 1 + (rows - 1) / most_estimated;
@@ -67,7 +66,7 @@ struct Moments {
                 row[static_cast<std::size_t>(c)] = std::scalbn(deviation(columns, i, c), exponent);
             for (std::int64_t a = 0; a < cols; ++a)
                 axpy(row[static_cast<std::size_t>(a)] / count, row.data(), covariance.row(a), cols);
-            polls.did(cols * cols);
+            checkpoint(cols * cols);
         }
     }
 
@@ -78,7 +77,7 @@ struct Moments {
     /// The inverse of the covariance, with the ridge. Of points, the place of the whole body is
     /// taken as unknown: it was found from values that include those of gaps, so it would imply
     /// these.
-    Matrix precision(int width, PacedPoll& polls) const {
+    Matrix precision(int width) const {
         const std::int64_t order = covariance.rows();
         double trace = 0;
         for (std::int64_t c = 0; c < order; ++c)
@@ -95,7 +94,7 @@ struct Moments {
             const double weight = 1 / (std::max(0.0, values[static_cast<std::size_t>(k)]) + added);
             for (std::int64_t a = 0; a < order; ++a)
                 axpy(weight * vectors(k, a), vectors.row(k), result.row(a), order);
-            polls.did(order * order);
+            checkpoint(order * order);
         }
         return result;
     }
@@ -131,7 +130,7 @@ std::vector<Pattern> patterns_of(const std::vector<Gap>& gaps) {
 
 /// Sets the missing columns to mean - (P_mm)^-1 P_mo (x_o - mean), P the precision.
 void predict(const Columns& columns, int width, const Pattern& pattern, const Moments& moments,
-             const Matrix& precision, PacedPoll& polls) {
+             const Matrix& precision) {
     std::vector<std::int64_t> missing;
     for (const std::int64_t group : pattern.groups)
         for (std::int64_t c = width * group; c < width * (group + 1); ++c)
@@ -144,7 +143,7 @@ void predict(const Columns& columns, int width, const Pattern& pattern, const Mo
                                                 missing[static_cast<std::size_t>(k)]);
     if (!system.factor(0))
         return; // the values filled over time stay
-    polls.did(order * order * order / 3);
+    checkpoint(order * order * order / 3);
     Matrix right = Matrix::unset(pattern.frames.count(), order);
     std::vector<double> known(moments.mean.size());
     for (std::int64_t i = 0; i < right.rows(); ++i) {
@@ -156,7 +155,7 @@ void predict(const Columns& columns, int width, const Pattern& pattern, const Mo
         for (std::int64_t k = 0; k < order; ++k)
             right(i, k) = -stltsa::dot(precision.row(missing[static_cast<std::size_t>(k)]),
                                        known.data(), columns.count());
-        polls.did(order * (columns.count() + order));
+        checkpoint(order * (columns.count() + order));
     }
     system.solve(right.view(), Machine());
     for (std::int64_t i = 0; i < right.rows(); ++i)
@@ -169,7 +168,7 @@ void predict(const Columns& columns, int width, const Pattern& pattern, const Mo
 
 /// Predicts the gaps of groups near each other. The groups of `gaps` are places in `near`.
 void predict_set(Matrix& rows, int width, const std::vector<std::int64_t>& near,
-                 const std::vector<Gap>& gaps, PacedPoll& polls) {
+                 const std::vector<Gap>& gaps) {
     std::vector<Pattern> patterns = patterns_of(gaps);
     // Where most is missing, nothing implies the rest.
     std::erase_if(patterns, [&](const Pattern& pattern) {
@@ -182,27 +181,26 @@ void predict_set(Matrix& rows, int width, const std::vector<std::int64_t>& near,
         for (int c = 0; c < width; ++c)
             columns.chosen.push_back(width * group + c);
     for (int round = 0; round < prediction_rounds; ++round) {
-        const Moments moments(columns, polls);
-        const Matrix precision = moments.precision(width, polls);
+        const Moments moments(columns);
+        const Matrix precision = moments.precision(width);
         for (const Pattern& pattern : patterns)
-            predict(columns, width, pattern, moments, precision, polls);
+            predict(columns, width, pattern, moments, precision);
     }
 }
 
 } // namespace
 
-void predict_gaps(Matrix& rows, int width, const Gaps& gaps, const std::function<void()>& poll) {
+void predict_gaps(Matrix& rows, int width, const Gaps& gaps) {
     if (gaps.predicted.empty())
         return;
-    PacedPoll polls(poll);
     for (const std::vector<std::int64_t>& near : near_groups(rows, width, gaps.seen, most_near)) {
         std::vector<Gap> own;
         for (std::size_t k = 0; k < near.size(); ++k)
             for (auto gap = std::ranges::lower_bound(gaps.predicted, near[k], {}, &Gap::group);
                  gap != gaps.predicted.end() && gap->group == near[k]; ++gap)
                 own.push_back({{gap->begin, gap->end}, static_cast<std::int64_t>(k)});
-        polls.did(std::ssize(near) + std::ssize(own));
-        predict_set(rows, width, near, own, polls);
+        checkpoint(std::ssize(near) + std::ssize(own));
+        predict_set(rows, width, near, own);
     }
 }
 

@@ -31,10 +31,9 @@ ConstMatrixView block(const Matrix& matrix, const Frames& frames) {
 }
 
 /// Smoothed over time, but not over breaks of the clip. Row 0 is frame `first`.
-Matrix smoothed_rows(const Clip& clip, ConstMatrixView rows, std::int64_t first, double sigma,
-                     const std::function<void()>& poll) {
+Matrix smoothed_rows(const Clip& clip, ConstMatrixView rows, std::int64_t first, double sigma) {
     if (clip.breaks.empty())
-        return gaussian_smoothed(rows, sigma, Beyond::reflection, 1, poll);
+        return gaussian_smoothed(rows, sigma, Beyond::reflection, 1);
     Matrix result = Matrix::unset(rows.rows, rows.cols);
     std::vector<std::int64_t> ends = clip.breaks;
     ends.push_back(first + rows.rows);
@@ -44,7 +43,7 @@ Matrix smoothed_rows(const Clip& clip, ConstMatrixView rows, std::int64_t first,
         if (count <= 0)
             continue; // before the first row
         const Matrix run =
-            gaussian_smoothed(rows.block(begin, count), sigma, Beyond::reflection, 1, poll);
+            gaussian_smoothed(rows.block(begin, count), sigma, Beyond::reflection, 1);
         std::copy_n(run.data(), count * rows.cols, result.row(begin));
         begin += count;
     }
@@ -58,8 +57,7 @@ Prepared prepare(const Clip& clip, const PrepareOptions& options) {
         fail(Status::too_few_frames, "the clip has no frames");
     Prepared prepared;
     prepared.features = feature_kind(clip, options.features);
-    FeatureRows made =
-        feature_rows(clip, prepared.features, options.up, options.gaps, options.poll);
+    FeatureRows made = feature_rows(clip, prepared.features, options.up, options.gaps);
     prepared.up = made.up;
     prepared.turned = made.turned;
     prepared.notes = std::move(made.notes);
@@ -82,14 +80,12 @@ Prepared prepare(const Clip& clip, const PrepareOptions& options) {
     Matrix between_breaks;
     ConstMatrixView from = kept;
     if (!clip.breaks.empty() && sigma > 0) {
-        between_breaks =
-            smoothed_rows(clip, kept, prepared.first, std::exchange(sigma, 0), options.poll);
+        between_breaks = smoothed_rows(clip, kept, prepared.first, std::exchange(sigma, 0));
         from = between_breaks.view();
     }
     const bool is_copy = prepared.step > 1 || options.keep_rows || from.data != kept.data;
     if (is_copy)
-        prepared.samples =
-            gaussian_smoothed(from, sigma, Beyond::reflection, prepared.step, options.poll);
+        prepared.samples = gaussian_smoothed(from, sigma, Beyond::reflection, prepared.step);
     Matrix rows = kept.rows == all.rows() ? std::move(all) : copied(kept);
     if (is_copy) {
         if (options.keep_rows)
@@ -98,16 +94,16 @@ Prepared prepare(const Clip& clip, const PrepareOptions& options) {
     }
     prepared.samples = std::move(rows);
     if (sigma > 0)
-        smooth_in_place(prepared.samples, sigma, Beyond::reflection, options.poll);
+        smooth_in_place(prepared.samples, sigma, Beyond::reflection);
     return prepared;
 }
 
 Matrix smoothed_features(const Clip& clip, Features kind, Axis up, double smoothing,
-                         bool drop_tpose, const std::function<void()>& poll) {
+                         bool drop_tpose) {
     FeatureRows made = feature_rows(clip, kind, up);
     const Frames used = used_frames(clip, made, drop_tpose);
     const Matrix smoothed =
-        smoothed_rows(clip, block(made.rows, used), used.begin, smoothing * clip.fps, poll);
+        smoothed_rows(clip, block(made.rows, used), used.begin, smoothing * clip.fps);
     std::copy_n(smoothed.data(), smoothed.rows() * smoothed.cols(), made.rows.row(used.begin));
     return std::move(made.rows);
 }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,8 +19,7 @@ struct PrepareOptions {
     double smoothing = 0.05;          ///< sigma of the Gaussian on the features in seconds; 0: none
     bool drop_tpose = true;           ///< only if there is a skeleton
     GapRule gaps = GapRule::fill;
-    bool keep_rows = false;          ///< see Prepared
-    std::function<void()> poll = {}; ///< called periodically; may throw to stop
+    bool keep_rows = false; ///< see Prepared
 };
 
 /// Working samples of a clip: sample i is source frame first + i * step.
@@ -46,8 +44,8 @@ Prepared prepare(const Clip& clip, const PrepareOptions& options);
 
 /// Features of every frame of the file, smoothed as by prepare(), whose samples are the rows first,
 /// first + step, ... of the result. Frames that prepare() drops are not smoothed.
-/// `smoothing` and `poll`: as in PrepareOptions.
+/// `smoothing`: as in PrepareOptions.
 Matrix smoothed_features(const Clip& clip, Features kind, Axis up, double smoothing,
-                         bool drop_tpose, const std::function<void()>& poll = {});
+                         bool drop_tpose);
 
 } // namespace stltsa::clip

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "base/checkpoint.hpp"
 #include "base/numbers.hpp"
 #include "clip/clip.hpp"
 #include "linalg/simd.hpp"
@@ -28,8 +29,8 @@ double square(double x) {
 /// The points of one clip.
 class Paths {
   public:
-    Paths(Matrix& rows, int width, double fps, PacedPoll& polls)
-        : rows_(rows), width_(width), fps_(fps), polls_(polls), size_(median_size()) {}
+    Paths(Matrix& rows, int width, double fps)
+        : rows_(rows), width_(width), fps_(fps), size_(median_size()) {}
 
     bool measurable() const { return size_ > 0; }
     std::int64_t count() const { return rows_.cols() / width_; }
@@ -38,7 +39,7 @@ class Paths {
     std::int64_t drop(std::int64_t point) {
         std::int64_t dropped = 0;
         for (std::int64_t i = 1; i < rows_.rows(); ++i) {
-            polls_.did(width_);
+            checkpoint(width_);
             if (is_missing(at(i - 1, point), width_) || is_missing(at(i, point), width_))
                 continue;
             const std::int64_t end = end_of_strays(i, point);
@@ -130,7 +131,7 @@ class Paths {
             own += square(off_line(frames, point, c));
         if (!(own > square(away)))
             return false;
-        polls_.did(rows_.cols());
+        checkpoint(rows_.cols());
         for (int c = 0; c < width_; ++c) {
             double others = 0, known = 0;
             for (std::int64_t p = 0; p < count(); ++p)
@@ -147,16 +148,15 @@ class Paths {
     Matrix& rows_;
     int width_;
     double fps_;
-    PacedPoll& polls_;
     double size_;
 };
 
 } // namespace
 
-std::vector<std::int64_t> drop_strays(Matrix& rows, int width, double fps, PacedPoll& polls) {
+std::vector<std::int64_t> drop_strays(Matrix& rows, int width, double fps) {
     if (rows.cols() / width < min_points || !(fps > 0))
         return {};
-    Paths paths(rows, width, fps, polls);
+    Paths paths(rows, width, fps);
     std::vector<std::int64_t> frames;
     for (std::int64_t point = 0; paths.measurable() && point < paths.count(); ++point)
         frames.push_back(paths.drop(point));

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/progress.hpp"
 #include "linalg/matrix.hpp"
 
 namespace stltsa::clip {
@@ -15,6 +14,6 @@ constexpr double longest_stray_s = 0.1;
 /// Sets to NaN the points that jump away and back faster than a limb can move, such as misread
 /// keypoints. Returns the number of such frames for each point; empty if there are fewer than eight
 /// points, or if the frame rate or the size of the body is unknown. `width`: columns of a point.
-std::vector<std::int64_t> drop_strays(Matrix& rows, int width, double fps, PacedPoll& polls);
+std::vector<std::int64_t> drop_strays(Matrix& rows, int width, double fps);
 
 } // namespace stltsa::clip

@@ -9,6 +9,7 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 
+#include "base/checkpoint.hpp"
 #include "base/error.hpp"
 #include "clip/files/descriptor.hpp"
 
@@ -41,22 +42,21 @@ auto named(const char* what, const std::string& path, Work work) {
 
 } // namespace
 
-std::string read_file(const std::string& path, const Progress& progress) {
+std::string read_file(const std::string& path) {
     if (path.empty())
         fail(Status::io, "the path is empty: give the name of a file");
     // Far larger than any clip; ends the reading of an endless device.
     constexpr std::size_t most = std::size_t{1} << 34;
-    const OnWait poll = [&] { progress.report(Stage::read, 0); };
-    const auto file = named("open", path, [&] { return Descriptor(path, O_RDONLY, 0, poll); });
+    const auto file = named("open", path, [&] { return Descriptor(path, O_RDONLY, 0); });
     std::string content;
     content.reserve(std::min(size_of(file), most));
     std::array<char, 1 << 16> chunk;
     while (const auto count =
-               named("read", path, [&] { return read_some(file.number(), chunk, poll); })) {
+               named("read", path, [&] { return read_some(file.number(), chunk); })) {
         content.append(chunk.data(), count);
         if (content.size() > most)
             fail(Status::unsupported, "{}: the file is larger than {} bytes", path, most);
-        poll();
+        checkpoint();
     }
     return content;
 }

@@ -59,11 +59,10 @@ class WithoutSigpipe {
     bool was_pending_ = false;
 };
 
-void write_to(const std::string& path, int flags, const std::function<void(const Sink&)>& content,
-              const OnWait& on_wait) {
+void write_to(const std::string& path, int flags, const std::function<void(const Sink&)>& content) {
     const WithoutSigpipe no_signal;
-    Descriptor file(path, O_WRONLY | flags, 0, on_wait);
-    content([&](std::string_view bytes) { write_all(file.number(), bytes, on_wait); });
+    Descriptor file(path, O_WRONLY | flags, 0);
+    content([&](std::string_view bytes) { write_all(file.number(), bytes); });
     file.close();
 }
 
@@ -143,9 +142,8 @@ std::string why_not_written(const std::error_code& error) {
     return error.message() + hint;
 }
 
-void write_directly(const std::string& path, const std::function<void(const Sink&)>& content,
-                    const OnWait& on_wait) {
-    write_to(path, 0, content, on_wait);
+void write_directly(const std::string& path, const std::function<void(const Sink&)>& content) {
+    write_to(path, 0, content);
 }
 
 TemporaryFile::TemporaryFile(std::string place, const std::string& suffix)
@@ -173,7 +171,7 @@ TemporaryFile::TemporaryFile(TemporaryFile&& other) noexcept
     : place_(std::move(other.place_)), name_(std::exchange(other.name_, {})) {}
 
 void TemporaryFile::write(const std::function<void(const Sink&)>& content) const {
-    write_to(name_, O_NOFOLLOW, content, {});
+    write_to(name_, O_NOFOLLOW, content);
 }
 
 void TemporaryFile::move_to_place() {

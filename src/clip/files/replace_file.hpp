@@ -24,8 +24,7 @@ std::string why_not_written(const std::error_code& error);
 
 /// Writes into an existing file, device or pipe. Opening a pipe waits for its reader; if the reader
 /// leaves, the function fails, and SIGPIPE does not end the process.
-void write_directly(const std::string& path, const std::function<void(const Sink&)>& content,
-                    const OnWait& on_wait = {});
+void write_directly(const std::string& path, const std::function<void(const Sink&)>& content);
 
 /// A new file in the folder of `place` with an unused name; deleted with the object unless moved.
 /// Temporary files that killed processes left more than an hour ago are deleted, too.

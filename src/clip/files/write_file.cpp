@@ -13,13 +13,12 @@ void write_file(const std::string& path, std::string_view bytes) {
     write_file(path, [bytes](const Sink& sink) { sink(bytes); });
 }
 
-void write_file(const std::string& path, const std::function<void(const Sink&)>& content,
-                const OnWait& on_wait) {
+void write_file(const std::string& path, const std::function<void(const Sink&)>& content) {
     if (path.empty())
         fail(Status::io, "the path is empty: give the name of a file");
     try {
         if (!regular_or_new(path))
-            return write_directly(path, content, on_wait);
+            return write_directly(path, content);
         TemporaryFile file(followed(path));
         file.write(content);
         file.move_to_place();

@@ -13,8 +13,7 @@ namespace stltsa::clip {
 /// Writes bytes to a temporary file in the same folder and renames it, so that a file is never
 /// incomplete. Pipes and devices are written to directly.
 void write_file(const std::string& path, std::string_view bytes);
-/// The same for bytes that `content` passes to the sink. `on_wait`: see write_directly().
-void write_file(const std::string& path, const std::function<void(const Sink&)>& content,
-                const OnWait& on_wait = {});
+/// The same for bytes that `content` passes to the sink.
+void write_file(const std::string& path, const std::function<void(const Sink&)>& content);
 
 } // namespace stltsa::clip

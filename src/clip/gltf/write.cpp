@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "base/checkpoint.hpp"
 #include "clip/body/kinematics.hpp"
 #include "clip/body/skeleton.hpp"
 #include "clip/features/features.hpp"
@@ -27,8 +28,7 @@ std::vector<double> as_list(const Vec3& v) {
 /// The file while it grows. Every list becomes a member of the same name.
 class GltfWriter {
   public:
-    GltfWriter(const Clip& clip, const Progress& progress)
-        : clip_(clip), polls_(progress, Stage::write) {}
+    explicit GltfWriter(const Clip& clip) : clip_(clip) {}
 
     std::string write() {
         if (clip_.skeleton)
@@ -171,7 +171,7 @@ class GltfWriter {
     }
 
     void animate(std::size_t node, const char* path, int times, int values) {
-        polls_.did(work_of_channel * clip_.frames());
+        checkpoint(work_of_channel * clip_.frames());
         const JsonObject target("node", static_cast<std::int64_t>(node), "path", path);
         channels_.push_back(
             JsonObject("sampler", static_cast<std::int64_t>(samplers_.size()), "target", target));
@@ -223,7 +223,6 @@ class GltfWriter {
     }
 
     const Clip& clip_;
-    PacedPoll polls_;
     GltfBuffer buffer_;
     std::vector<Json> nodes_, samplers_, channels_, skins_;
     std::vector<int> top_; ///< nodes without a parent
@@ -231,7 +230,7 @@ class GltfWriter {
 
 } // namespace
 
-std::string format_glb(const Clip& clip, const Progress& progress) {
+std::string format_glb(const Clip& clip) {
     if (!clip.skeleton && clip.space == 0)
         fail(Status::unsupported,
              "a GLB file needs a skeleton or points, but this clip is a bare matrix: name its "
@@ -239,7 +238,7 @@ std::string format_glb(const Clip& clip, const Progress& progress) {
     if (!(clip.fps > 0))
         fail(Status::unsupported, "a GLB file needs a frame rate, but that of this clip is "
                                   "unknown: open it with option fps");
-    return GltfWriter(clip, progress).write();
+    return GltfWriter(clip).write();
 }
 
 } // namespace stltsa::clip

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/checkpoint.hpp"
 #include "clip/npy/header.hpp"
 
 #include <algorithm>
@@ -84,7 +85,7 @@ double item(const NpyHeader& header, const char* data, std::int64_t index) {
     return header.item_size == 4 ? load<float>(from, swap) : load<double>(from, swap);
 }
 
-Matrix converted(const NpyHeader& header, const char* data, Shape shape, PacedPoll& polls) {
+Matrix converted(const NpyHeader& header, const char* data, Shape shape) {
     Matrix values = Matrix::unset(shape.rows, shape.cols);
     const std::int64_t width = std::max(1, shape.space);
     // In Fortran order the point's coordinate changes slowest.
@@ -95,19 +96,19 @@ Matrix converted(const NpyHeader& header, const char* data, Shape shape, PacedPo
         for (std::int64_t c = 0; c < shape.cols; ++c)
             values(i, c) =
                 item(header, data, header.fortran_order ? fortran(i, c) : i * shape.cols + c);
-        polls.did(2 * shape.cols);
+        checkpoint(2 * shape.cols);
     }
     return values;
 }
 
 /// NaN is a missing value.
-void check_finite(const Matrix& values, const std::string& name, PacedPoll& polls) {
+void check_finite(const Matrix& values, const std::string& name) {
     for (std::int64_t i = 0; i < values.rows(); ++i) {
         for (std::int64_t c = 0; c < values.cols(); ++c)
             if (std::isinf(values(i, c)))
                 fail(Status::not_finite, "{}: frame {}, column {} is {}", name, i, c + 1,
                      values(i, c));
-        polls.did(values.cols());
+        checkpoint(values.cols());
     }
 }
 
@@ -117,12 +118,11 @@ Clip parse_npy(std::string_view bytes, const std::string& name, const ReadOption
     const NpyHeader header = read_npy_header(bytes, name);
     const std::string_view data = bytes.substr(header.data_begin);
     const Shape shape = checked_shape(header, data.size(), name);
-    PacedPoll polls(options.progress, Stage::read);
     Clip clip;
-    clip.values = converted(header, data.data(), shape, polls);
+    clip.values = converted(header, data.data(), shape);
     clip.space = shape.space;
-    check_finite(clip.values, name, polls);
-    drop_missing_codes(clip.values, {}, polls, clip.notes);
+    check_finite(clip.values, name);
+    drop_missing_codes(clip.values, {}, clip.notes);
     if (const std::int64_t jump = find_jump(clip.values.view(), std::max(1, clip.space)); jump > 0)
         clip.notes.push_back(format_text(
             "the numbers jump at frame {}: if frames were lost there, insert them as NaN, or save "
@@ -131,7 +131,7 @@ Clip parse_npy(std::string_view bytes, const std::string& name, const ReadOption
     return clip;
 }
 
-std::string format_npy(const Clip& clip, const Progress&) {
+std::string format_npy(const Clip& clip) {
     return npy_bytes(clip.values.data(), clip.values.rows(), clip.values.cols(), clip.space);
 }
 

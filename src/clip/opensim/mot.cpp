@@ -99,7 +99,7 @@ void note_angles(Clip& clip, const std::string& in_degrees) {
 } // namespace
 
 Clip parse_mot(std::string_view bytes, const std::string& name, const ReadOptions& options) {
-    TextCursor in(bytes, name, options.progress);
+    TextCursor in(bytes, name);
     const MotHeader header(in);
     const std::vector<std::string> parts = parts_of(header.said("datatype"));
     std::string apart; // the same text, so that lines keep their numbers
@@ -107,7 +107,7 @@ Clip parse_mot(std::string_view bytes, const std::string& name, const ReadOption
         const std::size_t begin = bytes.size() - in.bytes_left();
         apart = bytes;
         std::replace(apart.begin() + static_cast<std::ptrdiff_t>(begin), apart.end(), ',', '\t');
-        in = TextCursor(apart, name, options.progress);
+        in = TextCursor(apart, name);
         MotHeader again(in);
     }
     Clip clip;

@@ -88,7 +88,7 @@ class TrcReader {
         for (const std::size_t point : points)
             for (std::size_t axis = 0; axis < 3; ++axis)
                 columns.push_back(static_cast<std::int64_t>(3 * point + axis));
-        keep_columns(clip_, columns, options.progress);
+        keep_columns(clip_, columns);
     }
 
   private:
@@ -172,7 +172,7 @@ void take_up(Clip& clip) {
 } // namespace
 
 Clip parse_trc(std::string_view bytes, const std::string& name, const ReadOptions& options) {
-    TextCursor in(bytes, name, options.progress);
+    TextCursor in(bytes, name);
     Clip clip;
     TrcReader reader(in, clip);
     TableHead head = reader.head();

@@ -15,7 +15,7 @@ std::optional<double> parse_number(std::string_view text);
 
 /// Appends the shortest digits that read back to the same bits.
 void append_number(std::string& text, double value);
-/// Its work compared with adding; for PacedPoll.
+/// Its work compared with adding; for checkpoint().
 inline constexpr std::int64_t work_of_number = 32;
 
 std::optional<std::int64_t> parse_integer(std::string_view text);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/checkpoint.hpp"
 #include "base/utf8.hpp"
 
 namespace stltsa::clip {
@@ -94,20 +95,19 @@ std::string list_in_quotes(const std::vector<std::string>& names, std::size_t mo
     return text;
 }
 
-TextCursor::TextCursor(std::string_view text, std::string name, const Progress& progress)
-    : text_(text), name_(std::move(name)), progress_(progress) {
+TextCursor::TextCursor(std::string_view text, std::string name)
+    : text_(text), name_(std::move(name)) {
     if (text_.starts_with("\xEF\xBB\xBF"))
         position_ = 3;
     else if (is_utf16(text_))
         fail(Status::format, "the text is UTF-16; save it as UTF-8 or ASCII");
 }
 
-/// Reports no fraction: that of a skeleton, or of a copy that looks ahead, is not that of the clip.
-void TextCursor::poll() {
-    if (position_ < next_poll_)
+void TextCursor::check() {
+    if (position_ < next_check_)
         return;
-    next_poll_ = position_ + bytes_between_polls;
-    progress_.report(Stage::read, 0);
+    next_check_ = position_ + bytes_between_checks;
+    checkpoint();
 }
 
 void TextCursor::skip_blanks() {
@@ -120,7 +120,7 @@ void TextCursor::skip_blanks() {
 }
 
 std::string_view TextCursor::word() {
-    poll();
+    check();
     skip_blanks();
     returned_line_ = line_;
     const std::size_t begin = position_;
@@ -142,7 +142,7 @@ std::string_view TextCursor::rest_of_line(char stop) {
 }
 
 std::string_view TextCursor::line() {
-    poll();
+    check();
     while (position_ < text_.size()) {
         returned_line_ = line_;
         const std::size_t begin = position_;

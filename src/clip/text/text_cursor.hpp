@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "base/progress.hpp"
 
 namespace stltsa::clip {
 
@@ -34,8 +33,8 @@ std::string list_in_quotes(const std::vector<std::string>& names, std::size_t mo
 /// a UTF-8 byte order mark is skipped. Text in UTF-16 is an error.
 class TextCursor {
   public:
-    /// `progress` is called once per mebibyte; what it throws ends the reading.
-    TextCursor(std::string_view text, std::string name, const Progress& progress = {});
+    /// There is a checkpoint in each mebibyte.
+    TextCursor(std::string_view text, std::string name);
 
     /// The next word on this or a later line; a brace is a word of its own. "" at the end.
     std::string_view word();
@@ -71,16 +70,15 @@ class TextCursor {
     }
 
   private:
-    static constexpr std::size_t bytes_between_polls = 1 << 20; // some milliseconds
+    static constexpr std::size_t bytes_between_checks = 1 << 20; // some milliseconds
 
     void skip_blanks();
-    void poll();
+    void check();
 
     std::string_view text_;
     std::string name_;
-    Progress progress_;
     std::size_t position_ = 0;
-    std::size_t next_poll_ = bytes_between_polls;
+    std::size_t next_check_ = bytes_between_checks;
     std::int64_t line_ = 1;
     std::int64_t returned_line_ = 1;
 };

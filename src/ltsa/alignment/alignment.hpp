@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 
 #include "linalg/machine.hpp"
@@ -49,14 +48,11 @@ class Alignment {
 };
 
 /// For temporal neighborhoods: B' in differences z_c = x_{c+1} - x_c, banded, factored by LAPACK.
-/// `poll`: called periodically while the matrix is assembled, not during its factorization; may
-/// throw.
-std::unique_ptr<Alignment> difference_alignment(const Patches& patches, const Machine& machine,
-                                                const std::function<void()>& poll = {});
+/// No checkpoint is possible during the factorization.
+std::unique_ptr<Alignment> difference_alignment(const Patches& patches, const Machine& machine);
 
 /// For any neighborhoods: B without its last row and column (the frame is grounded), sparse,
-/// factored by SuiteSparse. `poll`: as above.
-std::unique_ptr<Alignment> grounded_alignment(const Patches& patches, const Machine& machine,
-                                              const std::function<void()>& poll = {});
+/// factored by SuiteSparse.
+std::unique_ptr<Alignment> grounded_alignment(const Patches& patches, const Machine& machine);
 
 } // namespace stltsa::ltsa

@@ -146,8 +146,7 @@ std::int64_t bandwidth_of(const Patches& patches) {
     return longest;
 }
 
-void assemble_b(const Patches& patches, int threads, BandMatrix& b,
-                const std::function<void()>& poll) {
+void assemble_b(const Patches& patches, int threads, BandMatrix& b) {
     for_column_blocks(
         patches, b.order(), column_block, threads,
         [&](std::int64_t begin, std::int64_t end, PatchRange range) {
@@ -157,8 +156,7 @@ void assemble_b(const Patches& patches, int threads, BandMatrix& b,
             for (std::int64_t p = range.begin / patches_per_product * patches_per_product;
                  p < range.end; p += patches_per_product)
                 columns.subtract_directions(p, std::min(p + patches_per_product, patches.count()));
-        },
-        poll);
+        });
 }
 
 } // namespace stltsa::ltsa

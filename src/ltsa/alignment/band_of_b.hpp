@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 
 #include "linalg/band.hpp"
 #include "ltsa/alignment/patches.hpp"
@@ -14,9 +13,7 @@ namespace stltsa::ltsa {
 /// Subdiagonals of B'.
 std::int64_t bandwidth_of(const Patches& patches);
 
-/// Table 1, step 4: b := B'. Sums are in the same order for any number of threads. `poll`: called
-/// periodically, may throw.
-void assemble_b(const Patches& patches, int threads, BandMatrix& b,
-                const std::function<void()>& poll);
+/// Table 1, step 4: b := B'. Sums are in the same order for any number of threads.
+void assemble_b(const Patches& patches, int threads, BandMatrix& b);
 
 } // namespace stltsa::ltsa

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "base/progress.hpp"
 #include "ltsa/alignment/patches.hpp"
 
 namespace stltsa::ltsa {
@@ -35,10 +35,10 @@ inline std::vector<PatchRange> patches_by_block(const Patches& patches, std::int
     return ranges;
 }
 
-/// Calls work(begin, end, patches) for each block of columns [begin, end), and poll() between them.
+/// Calls work(begin, end, patches) for each block of columns [begin, end).
 template <class Work>
 void for_column_blocks(const Patches& patches, std::int64_t order, std::int64_t column_block,
-                       int threads, const Work& work, const std::function<void()>& poll = {}) {
+                       int threads, const Work& work) {
     const std::int64_t blocks = (order + column_block - 1) / column_block;
     const auto ranges = patches_by_block(patches, column_block, blocks);
     parallel_blocks(
@@ -47,10 +47,7 @@ void for_column_blocks(const Patches& patches, std::int64_t order, std::int64_t 
             const std::int64_t begin = b * column_block;
             work(begin, std::min(begin + column_block, order), ranges[static_cast<std::size_t>(b)]);
         },
-        [&](std::int64_t) {
-            if (poll)
-                poll();
-        });
+        Stage::alignment);
 }
 
 } // namespace stltsa::ltsa

@@ -73,13 +73,12 @@ void shift_diagonal(BandMatrix& b, double share) {
 
 class DifferenceAlignment final : public PatchwiseAlignment<RunningSums> {
   public:
-    DifferenceAlignment(const Patches& patches, const Machine& machine,
-                        const std::function<void()>& poll)
+    DifferenceAlignment(const Patches& patches, const Machine& machine)
         : PatchwiseAlignment(patches, machine), b_(patches.frames() - 1, bandwidth_of(patches)) {
-        assemble_b(patches, machine.threads, b_, poll);
+        assemble_b(patches, machine.threads, b_);
         if (b_.factor(smallest_pivot))
             return;
-        assemble_b(patches, machine.threads, b_, poll);
+        assemble_b(patches, machine.threads, b_);
         shift_diagonal(b_, flat_shift);
         if (!b_.factor(0))
             fail(Status::degenerate, "the frames vary in fewer than {} directions",
@@ -115,9 +114,8 @@ class DifferenceAlignment final : public PatchwiseAlignment<RunningSums> {
 
 } // namespace
 
-std::unique_ptr<Alignment> difference_alignment(const Patches& patches, const Machine& machine,
-                                                const std::function<void()>& poll) {
-    return std::make_unique<DifferenceAlignment>(patches, machine, poll);
+std::unique_ptr<Alignment> difference_alignment(const Patches& patches, const Machine& machine) {
+    return std::make_unique<DifferenceAlignment>(patches, machine);
 }
 
 } // namespace stltsa::ltsa

@@ -2,11 +2,11 @@
 // Alignment for neighborhoods without a band. The value of the last frame is fixed at zero (it is
 // grounded): the remaining rows and columns of B are regular, and a centered solution is that of
 // the pseudo-inverse. Differences would fill the matrix here.
+#include "base/checkpoint.hpp"
 #include "ltsa/alignment/alignment.hpp"
 
 #include <algorithm>
 
-#include "base/progress.hpp"
 #include "linalg/simd.hpp"
 #include "linalg/sparse_cholesky.hpp"
 #include "ltsa/alignment/patch_passes.hpp"
@@ -101,12 +101,11 @@ class ColumnOfB {
 };
 
 /// Table 1, step 4: B without the last row and column, which belong to the grounded frame.
-SparseColumns assemble_b(const Patches& patches, const std::function<void()>& poll) {
+SparseColumns assemble_b(const Patches& patches) {
     const PatchesByFrame by_frame = patches_by_frame(patches);
     ColumnOfB entries(patches, by_frame);
     const std::int64_t order = patches.frames() - 1;
     SparseColumns b{order, {0}, {}, {}};
-    PacedPoll polls(poll);
     for (std::int64_t column = 0; column < order; ++column) {
         entries.compute(column);
         for (const std::int32_t row : entries.rows)
@@ -115,7 +114,7 @@ SparseColumns assemble_b(const Patches& patches, const std::function<void()>& po
                 b.values.push_back(entries.value(row));
             }
         b.begin.push_back(static_cast<std::int64_t>(b.rows.size()));
-        polls.did(by_frame.count(column) * patches.size());
+        checkpoint(by_frame.count(column) * patches.size());
     }
     return b;
 }
@@ -140,9 +139,8 @@ struct GroundedValues {
 
 class GroundedAlignment final : public PatchwiseAlignment<GroundedValues> {
   public:
-    GroundedAlignment(const Patches& patches, const Machine& machine,
-                      const std::function<void()>& poll)
-        : PatchwiseAlignment(patches, machine), factor_(assemble_b(patches, poll)) {}
+    GroundedAlignment(const Patches& patches, const Machine& machine)
+        : PatchwiseAlignment(patches, machine), factor_(assemble_b(patches)) {}
 
     void restrict_to(ConstMatrixView x, MatrixView unknowns) const override {
         std::copy_n(x.data, unknowns.rows * unknowns.cols, unknowns.data);
@@ -170,9 +168,8 @@ class GroundedAlignment final : public PatchwiseAlignment<GroundedValues> {
 
 } // namespace
 
-std::unique_ptr<Alignment> grounded_alignment(const Patches& patches, const Machine& machine,
-                                              const std::function<void()>& poll) {
-    return std::make_unique<GroundedAlignment>(patches, machine, poll);
+std::unique_ptr<Alignment> grounded_alignment(const Patches& patches, const Machine& machine) {
+    return std::make_unique<GroundedAlignment>(patches, machine);
 }
 
 } // namespace stltsa::ltsa

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ltsa/neighbors/band_distances.hpp"
 
+#include "base/checkpoint.hpp"
 #include "base/parallel.hpp"
-#include "base/progress.hpp"
 #include "linalg/simd.hpp"
 
 namespace stltsa::ltsa {
@@ -32,7 +32,6 @@ STLTSA_INLINE double distance_in_packs(const double* a, const double* b, std::in
 struct FillBand {
     ConstMatrixView x; ///< the rows of the band
     MatrixView band;
-    PacedPoll& poll;
 
     template <int W>
     STLTSA_INLINE void run() const {
@@ -40,7 +39,7 @@ struct FillBand {
             band(p, 0) = 0;
             for (std::int64_t q = p + 1; q < std::min(x.rows, p + band.cols); ++q) {
                 band(p, q - p) = distance_in_packs<W>(x.row(p), x.row(q), x.cols);
-                poll.did(x.cols);
+                checkpoint(x.cols);
             }
         }
     }
@@ -51,8 +50,7 @@ struct FillBand {
 BandDistances::BandDistances(ConstMatrixView x, std::int64_t begin, std::int64_t end,
                              std::int64_t width, Simd simd)
     : begin_(begin), distances_(Matrix::unset(end - begin, width + 1)) {
-    PacedPoll poll(poll_within_block);
-    run_simd(simd, FillBand{x.block(begin, end - begin), distances_.view(), poll});
+    run_simd(simd, FillBand{x.block(begin, end - begin), distances_.view()});
 }
 
 } // namespace stltsa::ltsa

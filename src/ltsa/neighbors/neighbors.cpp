@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/parallel.hpp"
+#include "base/progress.hpp"
 #include "ltsa/frames.hpp"
 #include "ltsa/neighbors/band_distances.hpp"
 #include "ltsa/neighbors/neighborhood_distances.hpp"
@@ -78,7 +79,7 @@ void WindowNeighbors::select(ConstMatrixView x, Simd simd, std::int64_t first, s
 }
 
 Neighborhoods temporal_neighbors(ConstMatrixView x, std::span<const std::int64_t> lengths,
-                                 const Parameters& parameters, const Progress& progress) {
+                                 const Parameters& parameters) {
     Neighborhoods neighborhoods{parameters.neighbors, {}};
     neighborhoods.index.resize(checked_size(x.rows, parameters.neighbors));
     const WindowNeighbors windows(lengths, parameters);
@@ -90,10 +91,7 @@ Neighborhoods temporal_neighbors(ConstMatrixView x, std::span<const std::int64_t
             windows.select(x, parameters.simd, b * block, std::min((b + 1) * block, x.rows),
                            neighborhoods);
         },
-        [&](std::int64_t done) {
-            progress.report(Stage::neighbors,
-                            static_cast<double>(done) / static_cast<double>(blocks));
-        });
+        Stage::neighbors);
     return neighborhoods;
 }
 

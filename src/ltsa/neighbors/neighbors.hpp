@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "base/progress.hpp"
 #include "linalg/matrix.hpp"
 #include "ltsa/parameters.hpp"
 
@@ -50,13 +49,12 @@ class WindowNeighbors {
 
 /// The k nearest within the window (WindowNeighbors).
 Neighborhoods temporal_neighbors(ConstMatrixView x, std::span<const std::int64_t> lengths,
-                                 const Parameters& parameters, const Progress& progress);
+                                 const Parameters& parameters);
 /// The k nearest among all frames.
-Neighborhoods spatial_neighbors(ConstMatrixView x, const Parameters& parameters,
-                                const Progress& progress);
+Neighborhoods spatial_neighbors(ConstMatrixView x, const Parameters& parameters);
 /// The temporal neighbors, plus the `links` nearest frames outside the exclusion zone of
 /// +-exclusion frames of the same clip.
 Neighborhoods recurrent_neighbors(ConstMatrixView x, std::span<const std::int64_t> lengths,
-                                  const Parameters& parameters, const Progress& progress);
+                                  const Parameters& parameters);
 
 } // namespace stltsa::ltsa

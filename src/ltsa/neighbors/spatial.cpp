@@ -10,10 +10,6 @@
 namespace stltsa::ltsa {
 namespace {
 
-std::function<void(double)> reporting(const Progress& progress) {
-    return [&progress](double share) { progress.report(Stage::neighbors, share); };
-}
-
 /// The clip of each frame, as its first frame and its end.
 std::vector<RowRange> clip_of_frame(std::span<const std::int64_t> lengths) {
     std::vector<RowRange> clips;
@@ -41,8 +37,7 @@ void complete(Neighborhoods& neighborhoods, std::int64_t i, std::int64_t count,
 
 } // namespace
 
-Neighborhoods spatial_neighbors(ConstMatrixView x, const Parameters& parameters,
-                                const Progress& progress) {
+Neighborhoods spatial_neighbors(ConstMatrixView x, const Parameters& parameters) {
     Neighborhoods neighborhoods{parameters.neighbors, {}};
     neighborhoods.index.resize(checked_size(x.rows, parameters.neighbors));
     const auto zone_of = [&](std::int64_t i) {
@@ -51,14 +46,13 @@ Neighborhoods spatial_neighbors(ConstMatrixView x, const Parameters& parameters,
     const auto store = [&](std::int64_t i, const std::vector<Candidate>& found) {
         complete(neighborhoods, i, parameters.neighbors, found);
     };
-    find_nearest_of_all(x,
-                        {parameters.neighbors, zone_of, store, parameters.threads, parameters.simd},
-                        reporting(progress));
+    find_nearest_of_all(
+        x, {parameters.neighbors, zone_of, store, parameters.threads, parameters.simd});
     return neighborhoods;
 }
 
 Neighborhoods recurrent_neighbors(ConstMatrixView x, std::span<const std::int64_t> lengths,
-                                  const Parameters& parameters, const Progress& progress) {
+                                  const Parameters& parameters) {
     const auto clips = clip_of_frame(lengths);
     const auto zone_of = [&](std::int64_t i) {
         const RowRange clip = clips[static_cast<std::size_t>(i)];
@@ -72,7 +66,7 @@ Neighborhoods recurrent_neighbors(ConstMatrixView x, std::span<const std::int64_
                  "zone of +-{} frames; use a smaller exclusion or fewer links",
                  i, parameters.links, parameters.exclusion);
 
-    const Neighborhoods near = temporal_neighbors(x, lengths, parameters, progress);
+    const Neighborhoods near = temporal_neighbors(x, lengths, parameters);
     Neighborhoods neighborhoods{parameters.neighbors + parameters.links, {}};
     neighborhoods.index.resize(checked_size(x.rows, neighborhoods.size));
     const auto store = [&](std::int64_t i, const std::vector<Candidate>& found) {
@@ -80,8 +74,7 @@ Neighborhoods recurrent_neighbors(ConstMatrixView x, std::span<const std::int64_
         std::copy(temporal.begin(), temporal.end(), neighborhoods.of(i).begin());
         complete(neighborhoods, i, parameters.links, found);
     };
-    find_nearest_of_all(x, {parameters.links, zone_of, store, parameters.threads, parameters.simd},
-                        reporting(progress));
+    find_nearest_of_all(x, {parameters.links, zone_of, store, parameters.threads, parameters.simd});
     return neighborhoods;
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/parallel.hpp"
+#include "base/progress.hpp"
 #include "ltsa/search/ball_tree.hpp"
 #include "ltsa/search/best.hpp"
 #include "ltsa/search/leaf_distances.hpp"
@@ -130,8 +131,7 @@ class Group {
 
 } // namespace
 
-void find_nearest_of_all(ConstMatrixView x, const NearestOfAll& wanted,
-                         const std::function<void(double share)>& poll) {
+void find_nearest_of_all(ConstMatrixView x, const NearestOfAll& wanted) {
     constexpr std::int64_t leaves_per_block = 8; // of a block of the parallel loop
     const Leaves leaves(x);
     const auto count = static_cast<std::int64_t>(leaves.nodes.size());
@@ -144,7 +144,7 @@ void find_nearest_of_all(ConstMatrixView x, const NearestOfAll& wanted,
                  i < std::min((block + 1) * leaves_per_block, count); ++i)
                 group.search(leaves.nodes[static_cast<std::size_t>(i)]);
         },
-        [&](std::int64_t done) { poll(static_cast<double>(done) / static_cast<double>(blocks)); });
+        Stage::neighbors);
 }
 
 } // namespace stltsa::ltsa

@@ -22,8 +22,7 @@ struct NearestOfAll {
     Simd simd;
 };
 
-/// `poll` receives the completed share.
-void find_nearest_of_all(ConstMatrixView x, const NearestOfAll& wanted,
-                         const std::function<void(double share)>& poll);
+/// The work of stage "neighbors".
+void find_nearest_of_all(ConstMatrixView x, const NearestOfAll& wanted);
 
 } // namespace stltsa::ltsa

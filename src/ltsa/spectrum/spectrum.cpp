@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "base/progress.hpp"
 #include "base/random.hpp"
 #include "linalg/arpack.hpp"
 #include "linalg/panel.hpp"
@@ -64,13 +65,13 @@ EigenBasis solved(const Alignment& alignment, const Matrix& found) {
 }
 
 /// Corrects until the embedding no longer turns.
-void refine(const Alignment& alignment, std::int64_t dimension, const Progress& progress,
-            EigenBasis& basis, Spectrum& spectrum) {
+void refine(const Alignment& alignment, std::int64_t dimension, EigenBasis& basis,
+            Spectrum& spectrum) {
     double before = 2;
     for (int i = 0; i < most_corrections; ++i) {
-        progress.report(Stage::spectrum, 0.5);
+        report_progress(Stage::spectrum, 0.5);
         correct(alignment, basis);
-        progress.report(Stage::spectrum, 0.5);
+        report_progress(Stage::spectrum, 0.5);
         rayleigh_ritz(alignment, basis);
         const double change = last_turn(basis, dimension, alignment.machine());
         if (i == 0)
@@ -84,21 +85,22 @@ void refine(const Alignment& alignment, std::int64_t dimension, const Progress& 
 
 } // namespace
 
-Spectrum smallest_eigenpairs(const Alignment& alignment, std::int64_t count, std::int64_t dimension,
-                             const Progress& progress) {
-    Eigenpairs found = largest_eigenpairs(pseudo_inverse(alignment), alignment.frames(), set_start,
-                                          count, [&] { progress.report(Stage::spectrum, 0.0); });
+Spectrum smallest_eigenpairs(const Alignment& alignment, std::int64_t count,
+                             std::int64_t dimension) {
+    Call::reach(Stage::spectrum, 0); // the callback must not fit in this stage: see ArpackLock
+    Eigenpairs found =
+        largest_eigenpairs(pseudo_inverse(alignment), alignment.frames(), set_start, count);
     Spectrum spectrum;
     spectrum.solves = found.applications;
     EigenBasis basis = solved(alignment, std::exchange(found, {}).vectors);
-    progress.report(Stage::spectrum, 0.5);
+    report_progress(Stage::spectrum, 0.5);
     rayleigh_ritz(alignment, basis);
-    refine(alignment, dimension, progress, basis, spectrum);
-    progress.report(Stage::spectrum, 0.5);
+    refine(alignment, dimension, basis, spectrum);
+    report_progress(Stage::spectrum, 0.5);
     spectrum.residual = largest_residual(alignment, basis, dimension);
     spectrum.values = basis.values;
     spectrum.vectors = rows_of(basis.x.view(), dimension, alignment.machine());
-    progress.report(Stage::spectrum, 1.0);
+    report_progress(Stage::spectrum, 1.0);
     return spectrum;
 }
 

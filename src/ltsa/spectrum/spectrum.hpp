@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/progress.hpp"
 #include "linalg/matrix.hpp"
 #include "ltsa/alignment/alignment.hpp"
 
@@ -22,7 +21,7 @@ struct Spectrum {
 
 /// Table 1, step 5: the `count` smallest eigenpairs of B except the constant one (count < frames).
 /// All are corrected; changes and residual are those of the first `dimension`.
-Spectrum smallest_eigenpairs(const Alignment& alignment, std::int64_t count, std::int64_t dimension,
-                             const Progress& progress);
+Spectrum smallest_eigenpairs(const Alignment& alignment, std::int64_t count,
+                             std::int64_t dimension);
 
 } // namespace stltsa::ltsa

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/parallel.hpp"
+#include "base/progress.hpp"
 #include "linalg/machine.hpp"
 #include "linalg/simd.hpp"
 #include "ltsa/neighbors/band_distances.hpp"
@@ -15,10 +16,6 @@
 
 namespace stltsa::ltsa {
 namespace {
-
-void report(const Progress& progress, std::int64_t done, std::int64_t blocks) {
-    progress.report(Stage::tangents, static_cast<double>(done) / static_cast<double>(blocks));
-}
 
 /// Frames of a long clip whose median eigenvalue is taken.
 constexpr std::int64_t most_sampled = 1 << 12;
@@ -97,8 +94,8 @@ std::vector<Range> blocks_of(std::span<const std::int64_t> lengths, std::int64_t
 /// Calls find(finder, first, last) for each block of frames.
 template <class Find>
 Tangents find_in_blocks(ConstMatrixView x, const Neighborhoods& neighborhoods,
-                        const Parameters& parameters, const Progress& progress,
-                        const std::vector<Range>& blocks, const Find& find) {
+                        const Parameters& parameters, const std::vector<Range>& blocks,
+                        const Find& find) {
     const std::int64_t count = parameters.dimension;
     Tangents tangents{neighborhoods.size, count, {}, {}, {}};
     tangents.g.resize(
@@ -112,8 +109,7 @@ Tangents find_in_blocks(ConstMatrixView x, const Neighborhoods& neighborhoods,
         const auto [first, last] = blocks[static_cast<std::size_t>(b)];
         find(finder, first, last);
     };
-    parallel_blocks(count_of_blocks, parameters.threads, work,
-                    [&](std::int64_t done) { report(progress, done, count_of_blocks); });
+    parallel_blocks(count_of_blocks, parameters.threads, work, Stage::tangents);
     const Machine machine{parameters.simd, parameters.threads};
     drop_missing_directions(values, tangents, machine);
     set_rounding(values, tangents, machine);
@@ -123,9 +119,9 @@ Tangents find_in_blocks(ConstMatrixView x, const Neighborhoods& neighborhoods,
 } // namespace
 
 Tangents local_tangents(ConstMatrixView x, const Neighborhoods& neighborhoods,
-                        const Parameters& parameters, const Progress& progress) {
+                        const Parameters& parameters) {
     const std::int64_t all[] = {x.rows};
-    return find_in_blocks(x, neighborhoods, parameters, progress, blocks_of(all, frame_block(0)),
+    return find_in_blocks(x, neighborhoods, parameters, blocks_of(all, frame_block(0)),
                           [&](TangentFinder& finder, std::int64_t first, std::int64_t last) {
                               NeighborhoodDistances distances(x, neighborhoods.size,
                                                               parameters.simd);
@@ -134,8 +130,7 @@ Tangents local_tangents(ConstMatrixView x, const Neighborhoods& neighborhoods,
 }
 
 Tangents temporal_tangents(ConstMatrixView x, std::span<const std::int64_t> lengths,
-                           const Parameters& parameters, const Progress& progress,
-                           Neighborhoods& neighborhoods) {
+                           const Parameters& parameters, Neighborhoods& neighborhoods) {
     neighborhoods.size = parameters.neighbors;
     neighborhoods.index.resize(checked_size(x.rows, parameters.neighbors));
     const WindowNeighbors windows(lengths, parameters);
@@ -155,12 +150,12 @@ Tangents temporal_tangents(ConstMatrixView x, std::span<const std::int64_t> leng
             finder.find(first, last, distances);
         }
     };
-    return find_in_blocks(x, neighborhoods, parameters, progress,
-                          blocks_of(lengths, frame_block(window)), find);
+    return find_in_blocks(x, neighborhoods, parameters, blocks_of(lengths, frame_block(window)),
+                          find);
 }
 
 Matrix local_spectra(ConstMatrixView x, const Neighborhoods& neighborhoods, std::int64_t count,
-                     std::int64_t stride, int threads, const Progress& progress) {
+                     std::int64_t stride, int threads) {
     const std::int64_t rows = (x.rows + stride - 1) / stride;
     constexpr std::int64_t block = 256;
     const std::int64_t blocks = (rows + block - 1) / block;
@@ -173,8 +168,7 @@ Matrix local_spectra(ConstMatrixView x, const Neighborhoods& neighborhoods, std:
                 spectra(r, l) = std::max(0.0, pca.value(l));
         }
     };
-    parallel_blocks(blocks, threads, work,
-                    [&](std::int64_t done) { report(progress, done, blocks); });
+    parallel_blocks(blocks, threads, work, Stage::tangents);
     return spectra;
 }
 

@@ -9,9 +9,7 @@
 namespace stltsa::motion {
 
 /// Rows at which the behavior changes, ascending, without the ends. Neighbors of one behavior are
-/// joined; then up to `more` borders are added, those that gain most. `poll` is called every few
-/// milliseconds and may throw.
-std::vector<std::int64_t> behavior_borders(const KernelFeatures& features, std::int64_t more,
-                                           const std::function<void()>& poll);
+/// joined; then up to `more` borders are added, those that gain most.
+std::vector<std::int64_t> behavior_borders(const KernelFeatures& features, std::int64_t more);
 
 } // namespace stltsa::motion

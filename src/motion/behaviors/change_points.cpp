@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "base/progress.hpp"
+#include "base/checkpoint.hpp"
 
 namespace stltsa::motion {
 namespace {
@@ -17,8 +17,7 @@ constexpr std::int64_t longest_search = 1200;
 /// Borders that save less than this share of their price are dropped.
 constexpr double pays = 0.97;
 
-std::vector<std::int64_t> search(const KernelFeatures& features, double price,
-                                 const std::function<void()>& poll) {
+std::vector<std::int64_t> search(const KernelFeatures& features, double price) {
     const std::int64_t n = features.count();
     std::vector<double> best(static_cast<std::size_t>(n + 1),
                              std::numeric_limits<double>::infinity());
@@ -26,11 +25,10 @@ std::vector<std::int64_t> search(const KernelFeatures& features, double price,
     best[0] = -price;
     std::vector<std::int64_t> candidates{0}, kept;
     std::vector<double> costs;
-    PacedPoll polls(poll);
     for (std::int64_t t = 1; t <= n; ++t) {
         auto& total = best[static_cast<std::size_t>(t)];
         costs.clear();
-        polls.did(static_cast<std::int64_t>(candidates.size()) * features.size());
+        checkpoint(static_cast<std::int64_t>(candidates.size()) * features.size());
         for (const std::int64_t begin : candidates) {
             costs.push_back(best[static_cast<std::size_t>(begin)] + features.cost(begin, t));
             if (costs.back() + price < total) {
@@ -82,9 +80,8 @@ double border_price(const KernelFeatures& features) {
     return features.of_shapes() ? price_of_shapes : price_of_bodies;
 }
 
-std::vector<std::int64_t> change_points(const KernelFeatures& features, double price,
-                                        const std::function<void()>& poll) {
-    std::vector<std::int64_t> borders = search(features, price, poll);
+std::vector<std::int64_t> change_points(const KernelFeatures& features, double price) {
+    std::vector<std::int64_t> borders = search(features, price);
     drop_unpaid(features, price, borders);
     return borders;
 }

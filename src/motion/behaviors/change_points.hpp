@@ -4,7 +4,6 @@
 // 107, 2012).
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "motion/behaviors/kernel_features.hpp"
@@ -15,9 +14,7 @@ namespace stltsa::motion {
 /// price proportional to log n lost a fifth of the behaviors in ten minutes.
 double border_price(const KernelFeatures& features);
 
-/// Moments at which the behavior changes, ascending, without the ends. `price`: of a border. `poll`
-/// is called every few milliseconds and may throw.
-std::vector<std::int64_t> change_points(const KernelFeatures& features, double price,
-                                        const std::function<void()>& poll = {});
+/// Moments at which the behavior changes, ascending, without the ends. `price`: of a border.
+std::vector<std::int64_t> change_points(const KernelFeatures& features, double price);
 
 } // namespace stltsa::motion

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/checkpoint.hpp"
 #include "linalg/matrix.hpp"
 
 namespace stltsa::motion {
@@ -14,12 +15,10 @@ constexpr std::int64_t most_linked = 2000;
 /// Distances between clusters; merging keeps the mean over all pairs of items.
 class Clusters {
   public:
-    Clusters(std::int64_t count, const std::function<double(std::int64_t, std::int64_t)>& distance,
-             const std::function<void()>& poll)
+    Clusters(std::int64_t count, const std::function<double(std::int64_t, std::int64_t)>& distance)
         : distances_(count, count), sizes_(static_cast<std::size_t>(count), 1) {
         for (std::int64_t i = 0; i < count; ++i) {
-            if (poll)
-                poll();
+            checkpoint();
             for (std::int64_t k = 0; k < i; ++k)
                 distances_(i, k) = distances_(k, i) = distance(i, k);
         }
@@ -85,14 +84,12 @@ std::vector<std::int64_t> linked(Clusters& clusters, std::int64_t count, double 
 } // namespace
 
 std::vector<int> group(std::int64_t count, double most,
-                       const std::function<double(std::int64_t, std::int64_t)>& distance,
-                       const std::function<void()>& poll) {
+                       const std::function<double(std::int64_t, std::int64_t)>& distance) {
     const std::int64_t first = std::min(count, most_linked);
-    Clusters clusters(first, distance, poll);
+    Clusters clusters(first, distance);
     std::vector<std::int64_t> parent = linked(clusters, first, most);
     for (std::int64_t i = first; i < count; ++i) {
-        if (poll)
-            poll();
+        checkpoint();
         std::int64_t nearest = 0;
         double least = std::numeric_limits<double>::infinity();
         for (std::int64_t k = 0; k < first; ++k)

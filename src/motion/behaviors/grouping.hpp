@@ -9,9 +9,7 @@ namespace stltsa::motion {
 
 /// Group of each of `count` items, numbered by first appearance: average linkage, up to the mean
 /// distance `most`. Beyond some thousands, items join the group of the nearest earlier item.
-/// `poll` is called between rows of distances and may throw.
 std::vector<int> group(std::int64_t count, double most,
-                       const std::function<double(std::int64_t, std::int64_t)>& distance,
-                       const std::function<void()>& poll = {});
+                       const std::function<double(std::int64_t, std::int64_t)>& distance);
 
 } // namespace stltsa::motion

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/progress.hpp"
+#include "base/checkpoint.hpp"
 #include "linalg/eigen.hpp"
 #include "linalg/principal.hpp"
 #include "linalg/simd.hpp"
@@ -83,13 +83,12 @@ std::int64_t moving_columns(const Signal& signal) {
 
 } // namespace
 
-KernelFeatures::KernelFeatures(const Signal& signal, const Matrix& beside,
-                               const std::function<void()>& poll)
+KernelFeatures::KernelFeatures(const Signal& signal, const Matrix& beside)
     : step_(std::max<std::int64_t>(1, std::lround(signal.rate / moments_per_second))) {
     double least = 0;
     Matrix statistics;
     if (moving_columns(signal) <= few_columns) {
-        Shapes shapes = make_shapes(signal.poses.view(), poll);
+        Shapes shapes = make_shapes(signal.poses.view());
         of_shapes_ = shapes.rows.rows() > 0;
         if (of_shapes_) {
             step_ = shapes.step;
@@ -99,10 +98,10 @@ KernelFeatures::KernelFeatures(const Signal& signal, const Matrix& beside,
         }
     }
     if (!of_shapes_) {
-        poses_ = even_poses(signal, beside, step_, poll);
+        poses_ = even_poses(signal, beside, step_);
         const double rate = signal.rate / static_cast<double>(step_);
         const Matrix x = with_velocities(poses_.view(), rate, statistics_window_s);
-        statistics = windowed(x.view(), statistics_window_s * rate, poll);
+        statistics = windowed(x.view(), statistics_window_s * rate);
         least = least_bandwidth * total_variance(x.view());
     }
     const double bandwidth = std::max(median_distance(statistics), least);
@@ -112,9 +111,8 @@ KernelFeatures::KernelFeatures(const Signal& signal, const Matrix& beside,
     squares_.assign(static_cast<std::size_t>(statistics.rows() + 1), 0);
     std::vector<double> feature(static_cast<std::size_t>(map.cols()));
     std::vector<double> kernel(static_cast<std::size_t>(landmarks.rows()));
-    PacedPoll polls(poll);
     for (std::int64_t i = 0; i < statistics.rows(); ++i) {
-        polls.did(landmarks.rows() * (landmarks.cols() + map.cols()));
+        checkpoint(landmarks.rows() * (landmarks.cols() + map.cols()));
         std::fill(feature.begin(), feature.end(), 0.0);
         for (std::int64_t l = 0; l < landmarks.rows(); ++l)
             kernel[static_cast<std::size_t>(l)] =

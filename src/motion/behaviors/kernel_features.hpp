@@ -5,7 +5,6 @@
 // the same whatever its length.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "motion/period/signal.hpp"
@@ -14,9 +13,8 @@ namespace stltsa::motion {
 
 class KernelFeatures {
   public:
-    /// `beside`: see even_poses(). `poll` is called every few milliseconds and may throw.
-    explicit KernelFeatures(const Signal& signal, const Matrix& beside = {},
-                            const std::function<void()>& poll = {});
+    /// `beside`: see even_poses().
+    explicit KernelFeatures(const Signal& signal, const Matrix& beside = {});
 
     /// moments x directions, see even_poses(), or make_shapes() if shapes are described.
     const Matrix& poses() const { return poses_; }

@@ -33,8 +33,7 @@ void standardize(Matrix& rows, std::int64_t first, std::int64_t count) {
 
 } // namespace
 
-Matrix even_poses(const Signal& signal, const Matrix& beside, std::int64_t step,
-                  const std::function<void()>& poll) {
+Matrix even_poses(const Signal& signal, const Matrix& beside, std::int64_t step) {
     const std::int64_t n = (signal.rows() + step - 1) / step, p = signal.cols();
     Matrix all(n, p + beside.cols());
     for (std::int64_t i = 0; i < n; ++i) {
@@ -44,7 +43,7 @@ Matrix even_poses(const Signal& signal, const Matrix& beside, std::int64_t step,
     }
     standardize(all, 0, p);
     standardize(all, p, beside.cols());
-    const PrincipalDirections principal = principal_directions(all.view(), most_directions, poll);
+    const PrincipalDirections principal = principal_directions(all.view(), most_directions);
     const double total =
         std::accumulate(principal.variances.begin(), principal.variances.end(), 0.0);
     double sum = 0, variance = 0;
@@ -80,12 +79,12 @@ Matrix with_velocities(ConstMatrixView poses, double rate, double seconds) {
     return both;
 }
 
-Matrix windowed(ConstMatrixView x, double sigma, const std::function<void()>& poll) {
+Matrix windowed(ConstMatrixView x, double sigma) {
     Matrix squares = copied(x);
     for (std::int64_t i = 0; i < x.rows * x.cols; ++i)
         squares.data()[i] *= squares.data()[i];
-    const Matrix mean = gaussian_smoothed(x, sigma, Beyond::nothing, 1, poll);
-    const Matrix square = gaussian_smoothed(squares.view(), sigma, Beyond::nothing, 1, poll);
+    const Matrix mean = gaussian_smoothed(x, sigma, Beyond::nothing, 1);
+    const Matrix square = gaussian_smoothed(squares.view(), sigma, Beyond::nothing, 1);
     Matrix result(mean.rows(), 2 * x.cols);
     for (std::int64_t i = 0; i < mean.rows(); ++i)
         for (std::int64_t c = 0; c < x.cols; ++c) {

@@ -218,19 +218,17 @@ double unlikeness(const Signal& signal, Rows a, Rows b) {
     return lengths_differ(a, b) ? unrelated : unlikeness_of(shape(signal, a), shape(signal, b));
 }
 
-std::vector<int> group_motions(const Signal& signal, const std::vector<Rows>& motions,
-                               const std::function<void()>& poll) {
+std::vector<int> group_motions(const Signal& signal, const std::vector<Rows>& motions) {
     std::vector<Matrix> shapes;
     for (const Rows& motion : motions)
         shapes.push_back(shape(signal, motion));
-    return group(
-        static_cast<std::int64_t>(motions.size()), same_motion,
-        [&](std::int64_t i, std::int64_t k) {
-            const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(k);
-            return lengths_differ(motions[a], motions[b]) ? unrelated
-                                                          : unlikeness_of(shapes[a], shapes[b]);
-        },
-        poll);
+    return group(static_cast<std::int64_t>(motions.size()), same_motion,
+                 [&](std::int64_t i, std::int64_t k) {
+                     const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(k);
+                     return lengths_differ(motions[a], motions[b])
+                                ? unrelated
+                                : unlikeness_of(shapes[a], shapes[b]);
+                 });
 }
 
 } // namespace stltsa::motion

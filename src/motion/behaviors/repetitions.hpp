@@ -2,7 +2,6 @@
 // Actions between rests, and which of them are one motion.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "motion/period/signal.hpp"
@@ -28,9 +27,8 @@ std::vector<Rows> find_motions(const Signal& signal, const Pauses& pauses,
 /// relative to how far they move.
 double unlikeness(const Signal& signal, Rows a, Rows b);
 
-/// Group of each motion, numbered by first appearance. `poll`: of group().
-std::vector<int> group_motions(const Signal& signal, const std::vector<Rows>& motions,
-                               const std::function<void()>& poll = {});
+/// Group of each motion, numbered by first appearance.
+std::vector<int> group_motions(const Signal& signal, const std::vector<Rows>& motions);
 
 /// Largest unlikeness within a group.
 constexpr double same_motion = 0.25;

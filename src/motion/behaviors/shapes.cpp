@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "base/progress.hpp"
+#include "base/checkpoint.hpp"
 #include "base/random.hpp"
 #include "linalg/gaussian.hpp"
 #include "linalg/principal.hpp"
@@ -36,26 +36,24 @@ double share(Random& random) {
 }
 
 /// Mean products of rows that are `lag` apart, for each lag below `count`.
-std::vector<double> autocorrelation(const Matrix& x, std::int64_t count, PacedPoll& polls) {
+std::vector<double> autocorrelation(const Matrix& x, std::int64_t count) {
     std::vector<double> values;
     for (std::int64_t lag = 0; lag < count; ++lag) {
         const std::int64_t products = x.rows() - lag;
-        polls.did(products * x.cols());
+        checkpoint(products * x.cols());
         values.push_back(dot(x.data(), x.data() + lag * x.cols(), products * x.cols()) /
                          static_cast<double>(products));
     }
     return values;
 }
 
-std::int64_t usual_period(ConstMatrixView poses, const std::function<void()>& poll) {
+std::int64_t usual_period(ConstMatrixView poses) {
     const std::int64_t most = std::min(longest_period, poses.rows / periods_at_least);
-    Matrix moving =
-        gaussian_smoothed(poses, static_cast<double>(most) / 4, Beyond::nothing, 1, poll);
+    Matrix moving = gaussian_smoothed(poses, static_cast<double>(most) / 4, Beyond::nothing, 1);
     for (std::int64_t i = 0; i < moving.rows(); ++i)
         for (std::int64_t c = 0; c < moving.cols(); ++c)
             moving(i, c) = poses(i, c) - moving(i, c);
-    PacedPoll polls(poll);
-    const std::vector<double> values = autocorrelation(moving, most, polls);
+    const std::vector<double> values = autocorrelation(moving, most);
     std::vector<std::size_t> peaks;
     double highest = 0;
     for (std::size_t lag = shortest_period; lag + 1 < values.size(); ++lag)
@@ -70,9 +68,9 @@ std::int64_t usual_period(ConstMatrixView poses, const std::function<void()>& po
 }
 
 /// Each value less its local mean, divided by its local standard deviation.
-Matrix standardized(ConstMatrixView poses, double sigma, const std::function<void()>& poll) {
+Matrix standardized(ConstMatrixView poses, double sigma) {
     constexpr double rounding = 1e-6;
-    const Matrix around = windowed(poses, sigma, poll);
+    const Matrix around = windowed(poses, sigma);
     const double least = rounding * std::sqrt(total_variance(poses));
     Matrix result(poses.rows, poses.cols);
     for (std::int64_t i = 0; i < poses.rows; ++i)
@@ -126,11 +124,11 @@ double sampled_quantile(const std::vector<double>& values, double share) {
 }
 
 /// The centered rows along their principal directions.
-Matrix reduced(Matrix rows, const std::function<void()>& poll) {
+Matrix reduced(Matrix rows) {
     const std::vector<double> mean = column_means(rows.view());
     for (std::int64_t i = 0; i < rows.rows(); ++i)
         axpy(-1, mean.data(), rows.row(i), rows.cols());
-    const PrincipalDirections principal = principal_directions(rows.view(), most_directions, poll);
+    const PrincipalDirections principal = principal_directions(rows.view(), most_directions);
     Matrix result(rows.rows(), principal.directions.rows());
     for (std::int64_t i = 0; i < rows.rows(); ++i)
         for (std::int64_t d = 0; d < result.cols(); ++d)
@@ -140,13 +138,13 @@ Matrix reduced(Matrix rows, const std::function<void()>& poll) {
 
 } // namespace
 
-Shapes make_shapes(ConstMatrixView poses, const std::function<void()>& poll) {
+Shapes make_shapes(ConstMatrixView poses) {
     Shapes shapes;
     if (poses.cols == 0 || poses.rows < periods_at_least * shortest_period)
         return shapes;
-    const std::int64_t period = usual_period(poses, poll);
+    const std::int64_t period = usual_period(poses);
     shapes.step = std::max<std::int64_t>(1, period / moments_of_period);
-    const Matrix x = standardized(poses, static_cast<double>(period), poll);
+    const Matrix x = standardized(poses, static_cast<double>(period));
     Random random(1);
     Matrix above((x.rows() + shapes.step - 1) / shapes.step, convolutions);
     for (int i = 0; i < convolutions; ++i) {
@@ -159,9 +157,9 @@ Shapes make_shapes(ConstMatrixView poses, const std::function<void()>& poll) {
             above(k, i) = static_cast<double>(count) / static_cast<double>(end - first);
         }
     }
-    Matrix pooled = gaussian_smoothed(above.view(), pooled_periods * moments_of_period,
-                                      Beyond::nothing, 1, poll);
-    shapes.rows = reduced(std::move(pooled), poll);
+    Matrix pooled =
+        gaussian_smoothed(above.view(), pooled_periods * moments_of_period, Beyond::nothing, 1);
+    shapes.rows = reduced(std::move(pooled));
     return shapes;
 }
 

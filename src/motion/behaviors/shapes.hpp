@@ -3,8 +3,6 @@
 // shapes may have both in common.
 #pragma once
 
-#include <functional>
-
 #include "linalg/matrix.hpp"
 
 namespace stltsa::motion {
@@ -20,6 +18,6 @@ struct Shapes {
 /// The share of time in which each of some convolutions is above a quantile, in a Gaussian window
 /// of 1.5 periods (random convolutions: Dempster, Schmidt, Webb, KDD 2021). They are the same on
 /// every run. No rows if there are fewer than 128 poses.
-Shapes make_shapes(ConstMatrixView poses, const std::function<void()>& poll);
+Shapes make_shapes(ConstMatrixView poses);
 
 } // namespace stltsa::motion

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/progress.hpp"
 #include "ltsa/frames.hpp"
 #include "motion/curve/spline.hpp"
 #include "motion/curve/statistics.hpp"
@@ -130,18 +131,18 @@ DenoisedColumn denoise_column(ConstMatrixView coords, std::int64_t c, const Scal
 } // namespace
 
 Denoised denoise(ConstMatrixView coords, std::span<const std::int64_t> lengths,
-                 const DenoiseOptions& options, const Progress& progress) {
+                 const DenoiseOptions& options) {
     check(coords, lengths);
     Denoised result{Matrix(coords.rows, coords.cols),
                     Matrix(coords.rows, coords.cols),
                     Matrix(coords.rows, coords.cols),
                     {}};
     for (std::int64_t c = 0; c < coords.cols; ++c) {
-        progress.report(Stage::denoise, static_cast<double>(c) / static_cast<double>(coords.cols));
+        report_progress(Stage::denoise, static_cast<double>(c) / static_cast<double>(coords.cols));
         const ScaledColumn column = fit_column(coords, c, lengths, options);
         result.columns.push_back(denoise_column(coords, c, column, options, result));
     }
-    progress.report(Stage::denoise, 1);
+    report_progress(Stage::denoise, 1);
     return result;
 }
 

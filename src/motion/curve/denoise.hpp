@@ -7,7 +7,6 @@
 #include <span>
 #include <vector>
 
-#include "base/progress.hpp"
 #include "linalg/matrix.hpp"
 
 namespace stltsa::motion {
@@ -41,7 +40,7 @@ struct Denoised {
 /// equation (1), but not across it: a point nearer than d_t ends on the curve. Throws if
 /// coordinates are not finite or a clip has fewer than 8 rows.
 Denoised denoise(ConstMatrixView coords, std::span<const std::int64_t> lengths,
-                 const DenoiseOptions& options, const Progress& progress);
+                 const DenoiseOptions& options);
 
 /// Whether the noise of all columns is so small a share that it cannot be seen in a figure.
 bool nothing_to_clean(const std::vector<DenoisedColumn>& columns);

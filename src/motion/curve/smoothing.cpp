@@ -6,8 +6,8 @@
 #include "linalg/gaussian.hpp"
 
 namespace stltsa::motion {
-Matrix smooth(ConstMatrixView samples, double sigma, const std::function<void()>& poll) {
-    return gaussian_smoothed(samples, sigma, Beyond::nothing, 1, poll);
+Matrix smooth(ConstMatrixView samples, double sigma) {
+    return gaussian_smoothed(samples, sigma, Beyond::nothing, 1);
 }
 
 std::vector<double> smooth(std::span<const double> curve, double sigma) {

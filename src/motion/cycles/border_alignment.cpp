@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/checkpoint.hpp"
 #include "linalg/simd.hpp"
 
 namespace stltsa::motion {
@@ -163,14 +164,13 @@ bool in_order(const std::vector<double>& borders, const std::vector<double>& bef
 
 } // namespace
 
-std::vector<double> align_borders(const Signal& signal, Rows within, std::vector<double> borders,
-                                  const std::function<void()>& poll) {
+std::vector<double> align_borders(const Signal& signal, Rows within, std::vector<double> borders) {
     const auto begin = static_cast<double>(within.begin), end = static_cast<double>(within.end - 1);
     if (borders.size() < 2)
         return borders;
     Moving moving{borders, borders, lengths_between(borders)};
     for (int round = 0; round < most_rounds && move(signal, moving) > settled; ++round)
-        poll();
+        checkpoint();
     return keep_inside(begin, end, moving) && in_order(moving.at, borders) ? moving.at : borders;
 }
 

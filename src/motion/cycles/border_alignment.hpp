@@ -2,7 +2,6 @@
 // Makes the borders of cycles lie at the same place of the movement.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "motion/period/signal.hpp"
@@ -11,7 +10,6 @@ namespace stltsa::motion {
 
 /// Moves each border towards the mean movement around it, on both sides, and all of
 /// them by nothing on the average. The borders stay inside the rows.
-std::vector<double> align_borders(const Signal& signal, Rows within, std::vector<double> borders,
-                                  const std::function<void()>& poll);
+std::vector<double> align_borders(const Signal& signal, Rows within, std::vector<double> borders);
 
 } // namespace stltsa::motion

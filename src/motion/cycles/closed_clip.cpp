@@ -60,8 +60,7 @@ Signal repeated(const Signal& signal) {
 
 } // namespace
 
-std::optional<CyclicStretch> closed_cycle(const Signal& signal, const PeriodRange& periods,
-                                          RowProgress& progress) {
+std::optional<CyclicStretch> closed_cycle(const Signal& signal, const PeriodRange& periods) {
     if (!is_closed(signal, periods))
         return {};
     const std::int64_t n = signal.rows();
@@ -72,7 +71,7 @@ std::optional<CyclicStretch> closed_cycle(const Signal& signal, const PeriodRang
     CyclicStretch cut;
     cut.stretch = {
         {0, n}, std::vector<double>(static_cast<std::size_t>(n), static_cast<double>(n)), 1};
-    cut.growth = grow(loop, stretch, all, progress.poll());
+    cut.growth = grow(loop, stretch, all);
     // The middle copy, which has a neighbor on each side.
     Run& run = cut.growth.run;
     if (run.begin > n || run.end() <= 2 * n)
@@ -80,7 +79,7 @@ std::optional<CyclicStretch> closed_cycle(const Signal& signal, const PeriodRang
     Growth turn = cut.growth; // with the row that closes the loop
     const auto first = run.phase.begin() + (n - run.begin);
     turn.run = {n, {first, first + n + 1}};
-    cut.phase = trace_phase(loop, turn, progress);
+    cut.phase = trace_phase(loop, turn);
     for (double& place : cut.phase.places)
         place -= static_cast<double>(n);
     const auto keep = [&](std::vector<double>& values) {

@@ -10,7 +10,6 @@ namespace stltsa::motion {
 
 /// The whole recording as one cycle if it ends where it begins, in the same motion, one row
 /// earlier: its own length is the lag after which it repeats.
-std::optional<CyclicStretch> closed_cycle(const Signal& signal, const PeriodRange& periods,
-                                          RowProgress& progress);
+std::optional<CyclicStretch> closed_cycle(const Signal& signal, const PeriodRange& periods);
 
 } // namespace stltsa::motion

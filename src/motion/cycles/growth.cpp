@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/progress.hpp"
+#include "base/checkpoint.hpp"
 #include "linalg/simd.hpp"
 #include "motion/curve/statistics.hpp"
 
@@ -36,9 +36,8 @@ constexpr std::int64_t min_rows = 6;
 
 class Grower {
   public:
-    Grower(const Signal& signal, const Stretch& stretch, Rows within,
-           const std::function<void()>& poll)
-        : poll_(poll), typical_(median(stretch.period)) {
+    Grower(const Signal& signal, const Stretch& stretch, Rows within)
+        : typical_(median(stretch.period)) {
         const auto more = static_cast<std::int64_t>(periods_beyond * typical_);
         rows_ = {std::max(within.begin, stretch.rows.begin - more),
                  std::min(within.end, stretch.rows.end + more)};
@@ -49,7 +48,7 @@ class Grower {
         tracked_ = {first, first + stretch.rows.count()};
         phase_.resize(period_.size());
         both_ = pose_and_velocity(signal.poses.view().block(rows_.begin, rows_.count()),
-                                  signal.rate, typical_, poll);
+                                  signal.rate, typical_);
         for (std::int64_t i = 0; i < both_.rows(); ++i) { // velocities per cycle at the local tempo
             const double tempo = period_[static_cast<std::size_t>(i)] / typical_;
             for (std::int64_t c = signal.cols(); c < both_.cols(); ++c)
@@ -113,8 +112,7 @@ class Grower {
 
     /// Registers the run with its own mean cycle; false if nothing moves.
     bool enter(Run run) {
-        Registration found =
-            register_runs(both_.view(), {std::move(run)}, typical_, smooth, 0, poll_);
+        Registration found = register_runs(both_.view(), {std::move(run)}, typical_, smooth, 0);
         grown_ = {found.runs.front().begin, found.runs.front().end()};
         take(found.runs.front(), grown_);
         mean_ = std::move(found.mean);
@@ -144,7 +142,7 @@ class Grower {
             std::min<std::int64_t>(grown_.rows(), std::llround(registered_again * period));
         const Range all =
             at_end ? Range{fresh.begin - again, fresh.end} : Range{fresh.begin, fresh.end + again};
-        const Run more = register_with(both_.view(), mean_, continued(all), slowest, smooth, poll_);
+        const Run more = register_with(both_.view(), mean_, continued(all), slowest, smooth);
         const std::int64_t kept = same_motion(more, fresh, at_end);
         if (kept > 0) {
             const Range rows = at_end ? Range{fresh.begin - again / 2, fresh.begin + kept}
@@ -208,12 +206,11 @@ class Grower {
 
     std::vector<double> deviations(const Run& run) const {
         Matrix off(run.rows(), both_.cols());
-        PacedPoll polls(poll_);
         for (std::int64_t i = 0; i < run.rows(); ++i) {
             mean_.loop.at(run.phase[static_cast<std::size_t>(i)], off.row(i));
             for (std::int64_t c = 0; c < off.cols(); ++c)
                 off(i, c) = both_(run.begin + i, c) - off(i, c);
-            polls.did(both_.cols() * mean_.loop.coefficients.rows());
+            checkpoint(both_.cols() * mean_.loop.coefficients.rows());
         }
         // Sway: the mean deviation over the period around the row, or over the outermost one.
         const auto period =
@@ -236,7 +233,6 @@ class Grower {
         return squares;
     }
 
-    const std::function<void()>& poll_;
     double typical_;
     Rows rows_;                  ///< of the signal, that may belong to the motion
     Range tracked_;              ///< the stretch, counted from rows_.begin as all that follows
@@ -257,9 +253,8 @@ double Growth::row_of(double phase) const {
     return static_cast<double>(run.begin + i - 1) + std::clamp((phase - before) / step, -0.5, 1.5);
 }
 
-Growth grow(const Signal& signal, const Stretch& stretch, Rows within,
-            const std::function<void()>& poll) {
-    return Grower(signal, stretch, within, poll).grow();
+Growth grow(const Signal& signal, const Stretch& stretch, Rows within) {
+    return Grower(signal, stretch, within).grow();
 }
 
 } // namespace stltsa::motion

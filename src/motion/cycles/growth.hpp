@@ -3,7 +3,6 @@
 // grown from there in both directions for as long as the motion goes on.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "motion/cycles/registration.hpp"
@@ -21,9 +20,8 @@ struct Growth {
     double row_of(double phase) const;
 };
 
-/// Grows from `stretch` to at most the rows `within`, which contain it. `poll` is called every few
-/// milliseconds and may throw. No rows: too few to register.
-Growth grow(const Signal& signal, const Stretch& stretch, Rows within,
-            const std::function<void()>& poll);
+/// Grows from `stretch` to at most the rows `within`, which contain it. No rows: too few to
+/// register.
+Growth grow(const Signal& signal, const Stretch& stretch, Rows within);
 
 } // namespace stltsa::motion

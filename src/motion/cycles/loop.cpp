@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/checkpoint.hpp"
 #include "base/numbers.hpp"
-#include "base/progress.hpp"
 #include "linalg/band.hpp"
 #include "linalg/simd.hpp"
 #include "linalg/weighted_rows.hpp"
@@ -111,9 +111,7 @@ double Run::row_at(double reached) const {
            (reached - phase[i - 1]) / (phase[i] - phase[i - 1]);
 }
 
-Loop fit_loop(ConstMatrixView rows, std::span<const Run> runs, std::int64_t harmonics,
-              const std::function<void()>& poll) {
-    PacedPoll polls(poll);
+Loop fit_loop(ConstMatrixView rows, std::span<const Run> runs, std::int64_t harmonics) {
     const std::int64_t terms = 2 * harmonics + 1;
     Matrix normal(terms, terms), right(terms, rows.cols);
     Matrix b(rows_at_once, terms);
@@ -126,7 +124,7 @@ Loop fit_loop(ConstMatrixView rows, std::span<const Run> runs, std::int64_t harm
             for (std::int64_t r = 0; r < terms; ++r) {
                 add_weighted({b.data(), block, r + 1, terms}, b.data() + r, terms, normal.row(r));
                 add_weighted(rows.block(run.begin + i, block), b.data() + r, terms, right.row(r));
-                polls.did(block * rows.cols);
+                checkpoint(block * rows.cols);
             }
             count += static_cast<double>(block);
         }
@@ -147,7 +145,7 @@ Loop fit_loop(ConstMatrixView rows, std::span<const Run> runs, std::int64_t harm
     Loop loop{Matrix(terms, rows.cols)};
     for (std::int64_t r = 0; r < terms; ++r) {
         add_weighted(right.view(), inverse.row(r), 1, loop.coefficients.row(r));
-        polls.did(terms * rows.cols);
+        checkpoint(terms * rows.cols);
     }
     return loop;
 }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -44,8 +43,7 @@ struct Run {
 
 /// Least squares over the rows of all runs, with a small penalty on high harmonics, so that gaps in
 /// the phases covered do no harm.
-Loop fit_loop(ConstMatrixView rows, std::span<const Run> runs, std::int64_t harmonics,
-              const std::function<void()>& poll = {});
+Loop fit_loop(ConstMatrixView rows, std::span<const Run> runs, std::int64_t harmonics);
 
 /// Least harmonics for cycles of so many rows.
 std::int64_t harmonics_for(double period);

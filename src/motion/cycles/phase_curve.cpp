@@ -64,21 +64,19 @@ struct Embedding {
 };
 
 /// In 1 to 3 dimensions; fewer if the samples do not vary in so many directions.
-Embedding embed_chunk(ConstMatrixView samples, const std::function<void()>& poll) {
-    poll();
+Embedding embed_chunk(ConstMatrixView samples) {
     ltsa::Parameters parameters;
     parameters.neighbors = std::min(neighbors, samples.rows - 1);
     parameters.window = parameters.neighbors;
     parameters.dimension = static_cast<int>(std::min<std::int64_t>(most_dimensions, samples.cols));
     Embedding result;
     try {
-        const ltsa::Graph graph =
-            ltsa::build_graph(samples, {&samples.rows, 1}, parameters, Progress());
+        const ltsa::Graph graph = ltsa::build_graph(samples, {&samples.rows, 1}, parameters);
         if (graph.components.count > 1)
             return result;
         const int last = std::min(parameters.dimension, ltsa::varying_directions(graph));
         for (int d = 1; d <= last; ++d) {
-            result.fits.push_back(ltsa::embed(graph, d, ltsa::eigenvalues_of_fit(d), Progress()));
+            result.fits.push_back(ltsa::embed(graph, d, ltsa::eigenvalues_of_fit(d)));
             result.pairs.push_back(most_cyclic(result.fits.back().coords));
             result.fits.back().coords = Matrix();
             // A third one moved no border of 88 of 90 recordings by 1 us, two by 0.3 ms.
@@ -199,8 +197,8 @@ Values repeated_mean(std::span<const double> curve, std::int64_t samples) {
     return mean;
 }
 
-/// Traces the curve through the chunks of one view of the samples.
-PhaseCurve trace_view(ConstMatrixView samples, RowProgress& progress, const Values& places) {
+/// Traces the curve through the chunks of one view of the samples, which are at these places.
+PhaseCurve trace_view(ConstMatrixView samples, const Signal& signal, const Values& places) {
     PhaseCurve result;
     result.curve.assign(static_cast<std::size_t>(samples.rows), 0);
     result.partner = result.curve;
@@ -209,9 +207,8 @@ PhaseCurve trace_view(ConstMatrixView samples, RowProgress& progress, const Valu
     for (std::size_t c = 0; c < starts.size(); ++c) {
         const auto begin = static_cast<std::size_t>(starts[c]);
         const std::int64_t end = c + 1 == starts.size() ? samples.rows : starts[c] + chunk;
-        progress.reached(places[begin]);
-        Embedding embedded =
-            embed_chunk(samples.block(starts[c], end - starts[c]), progress.poll());
+        report_row(signal, places[begin]);
+        Embedding embedded = embed_chunk(samples.block(starts[c], end - starts[c]));
         result.cyclicity.push_back(0);
         if (embedded.pairs.empty())
             continue;
@@ -243,9 +240,9 @@ PhaseCurve trace_view(ConstMatrixView samples, RowProgress& progress, const Valu
 }
 
 /// What varies more slowly than the period, such as sway, taken out.
-Matrix high_passed(const Matrix& samples, const std::function<void()>& poll) {
-    const Matrix slow = gaussian_smoothed(samples.view(), slow_periods * samples_per_period,
-                                          Beyond::nothing, 1, poll);
+Matrix high_passed(const Matrix& samples) {
+    const Matrix slow =
+        gaussian_smoothed(samples.view(), slow_periods * samples_per_period, Beyond::nothing, 1);
     Matrix fast = samples;
     axpy(-1, slow.data(), fast.data(), fast.rows() * fast.cols());
     return fast;
@@ -257,7 +254,7 @@ double PhaseCurve::typical_cyclicity() const {
     return median(cyclicity);
 }
 
-PhaseCurve trace_phase(const Signal& signal, const Growth& growth, RowProgress& progress) {
+PhaseCurve trace_phase(const Signal& signal, const Growth& growth) {
     const double first = growth.run.phase.front();
     const auto count = static_cast<std::int64_t>(growth.turns() * samples_per_period) + 1;
     if (count < min_samples)
@@ -269,10 +266,9 @@ PhaseCurve trace_phase(const Signal& signal, const Growth& growth, RowProgress& 
                                                    static_cast<double>(samples_per_period)));
         row_at(signal.poses.view(), places.back(), samples.row(i));
     }
-    PhaseCurve curve = trace_view(samples.view(), progress, places);
+    PhaseCurve curve = trace_view(samples.view(), signal, places);
     if (curve.typical_cyclicity() < good_cyclicity) {
-        PhaseCurve view =
-            trace_view(high_passed(samples, progress.poll()).view(), progress, places);
+        PhaseCurve view = trace_view(high_passed(samples).view(), signal, places);
         if (view.typical_cyclicity() > curve.typical_cyclicity() + clearly_better)
             curve = std::move(view);
     }

@@ -9,7 +9,7 @@
 
 #include "ltsa/model.hpp"
 #include "motion/cycles/growth.hpp"
-#include "motion/period/row_progress.hpp"
+#include "motion/period/signal.hpp"
 
 namespace stltsa::motion {
 
@@ -29,6 +29,6 @@ struct PhaseCurve {
 };
 
 /// No samples if the turns are too few.
-PhaseCurve trace_phase(const Signal& signal, const Growth& growth, RowProgress& progress);
+PhaseCurve trace_phase(const Signal& signal, const Growth& growth);
 
 } // namespace stltsa::motion

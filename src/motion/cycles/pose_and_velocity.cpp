@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "base/progress.hpp"
+#include "base/checkpoint.hpp"
 #include "linalg/gaussian.hpp"
 #include "linalg/simd.hpp"
 
@@ -27,29 +27,26 @@ void difference(ConstMatrixView rows, std::int64_t i, double* out) {
 
 } // namespace
 
-Matrix differences(ConstMatrixView rows, const std::function<void()>& poll) {
-    PacedPoll polls(poll);
+Matrix differences(ConstMatrixView rows) {
     Matrix result = Matrix::unset(rows.rows, rows.cols);
     for (std::int64_t i = 0; i < rows.rows; ++i) {
         difference(rows, i, result.row(i));
-        polls.did(2 * rows.cols);
+        checkpoint(2 * rows.cols);
     }
     return result;
 }
 
-Matrix pose_and_velocity(ConstMatrixView rows, double rate, double period,
-                         const std::function<void()>& poll) {
+Matrix pose_and_velocity(ConstMatrixView rows, double rate, double period) {
     Matrix both = Matrix::unset(rows.rows, 2 * rows.cols);
     const MatrixView pose{both.data(), rows.rows, rows.cols, both.cols()};
     const MatrixView velocity{both.data() + rows.cols, rows.rows, rows.cols, both.cols()};
-    smooth_to(pose, rows, smoothing_s * rate, Beyond::reflection, poll);
-    PacedPoll polls(poll);
+    smooth_to(pose, rows, smoothing_s * rate, Beyond::reflection);
     const double scale = velocity_weight * period / (2 * std::numbers::pi);
     for (std::int64_t i = 0; i < rows.rows; ++i) {
         difference(pose, i, velocity.row(i));
         for (std::int64_t c = 0; c < rows.cols; ++c)
             velocity(i, c) *= scale;
-        polls.did(3 * rows.cols);
+        checkpoint(3 * rows.cols);
     }
     return both;
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <functional>
-
 #include "linalg/matrix.hpp"
 
 namespace stltsa::motion {
@@ -16,14 +14,12 @@ struct Range {
 };
 
 /// Change from row to row: central differences, one-sided at the ends. At least two rows.
-Matrix differences(ConstMatrixView rows, const std::function<void()>& poll = {});
+Matrix differences(ConstMatrixView rows);
 
 /// What phases are found on: the smoothed rows and, beside them, their velocity times two. Velocity
 /// is scaled such that of a pure oscillation once per period it is as large as the pose. Velocity
 /// forgets slow drift and weighs fast parts of the body: events have half the scatter in phase that
-/// poses alone give. `rate`: rows per second; `period`: rows. `poll`: called periodically; may
-/// throw to stop.
-Matrix pose_and_velocity(ConstMatrixView rows, double rate, double period,
-                         const std::function<void()>& poll = {});
+/// poses alone give. `rate`: rows per second; `period`: rows.
+Matrix pose_and_velocity(ConstMatrixView rows, double rate, double period);
 
 } // namespace stltsa::motion

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/checkpoint.hpp"
 #include "base/numbers.hpp"
-#include "base/progress.hpp"
 #include "linalg/simd.hpp"
 #include "motion/curve/extrema.hpp"
 #include "motion/curve/statistics.hpp"
@@ -41,7 +41,7 @@ struct Pull {
     std::vector<double> weight, target;
 };
 
-/// For PacedPoll: a row is compared with the loop at its phase.
+/// For checkpoint(): a row is compared with the loop at its phase.
 std::int64_t work_at_phase(const Loop& loop) {
     return loop.coefficients.rows() * loop.cols();
 }
@@ -49,16 +49,14 @@ std::int64_t work_at_phase(const Loop& loop) {
 /// The variance of each column about the mean cycle. Empty: all columns have the same weight.
 using Spread = std::vector<double>;
 
-Spread spread_about(ConstMatrixView rows, const MeanCycle& cycle, const Run& run,
-                    const std::function<void()>& poll) {
-    PacedPoll polls(poll);
+Spread spread_about(ConstMatrixView rows, const MeanCycle& cycle, const Run& run) {
     Spread spread(static_cast<std::size_t>(rows.cols)), mean = spread;
     for (std::int64_t i = 0; i < run.rows(); ++i) {
         cycle.loop.at(run.phase[static_cast<std::size_t>(i)], mean.data());
         const double* row = rows.row(run.begin + i);
         for (std::size_t c = 0; c < spread.size(); ++c)
             spread[c] += (row[c] - mean[c]) * (row[c] - mean[c]) / static_cast<double>(run.rows());
-        polls.did(work_at_phase(cycle.loop));
+        checkpoint(work_at_phase(cycle.loop));
     }
     const double sum = std::accumulate(spread.begin(), spread.end(), 0.0);
     const double floor = (variance_floor * sum + least_variance * cycle.variance) /
@@ -80,11 +78,7 @@ void weigh_columns(const double* row, const std::vector<double>& mean, const Spr
 }
 
 /// One Gauss-Newton step of each row towards the nearest point of the loop.
-Pull pull_to(ConstMatrixView rows, const Loop& loop, const Run& run, const Spread& spread,
-             const std::function<void()>& poll) {
-    if (poll) // many runs are too short to poll after their rows
-        poll();
-    PacedPoll polls(poll);
+Pull pull_to(ConstMatrixView rows, const Loop& loop, const Run& run, const Spread& spread) {
     Pull pull;
     std::vector<double> mean(static_cast<std::size_t>(rows.cols)), slope = mean;
     std::vector<double> counts(mean.size(), 1);
@@ -105,7 +99,7 @@ Pull pull_to(ConstMatrixView rows, const Loop& loop, const Run& run, const Sprea
         pull.target.push_back(
             phase +
             (weight > 0 ? std::clamp(along / weight, -most_correction, most_correction) : 0));
-        polls.did(2 * work_at_phase(loop));
+        checkpoint(2 * work_at_phase(loop));
     }
     return pull;
 }
@@ -262,22 +256,20 @@ std::vector<Run> runs_of(const std::vector<Moving>& all) {
     return runs;
 }
 
-double variance_of(ConstMatrixView rows, std::span<const Run> runs,
-                   const std::function<void()>& poll) {
-    PacedPoll polls(poll);
+double variance_of(ConstMatrixView rows, std::span<const Run> runs) {
     std::vector<double> mean(static_cast<std::size_t>(rows.cols));
     double count = 0, squares = 0;
     for (const Run& run : runs)
         for (std::int64_t i = run.begin; i < run.end(); ++i, ++count) {
             axpy(1, rows.row(i), mean.data(), rows.cols);
-            polls.did(rows.cols);
+            checkpoint(rows.cols);
         }
     for (double& value : mean)
         value /= count;
     for (const Run& run : runs)
         for (std::int64_t i = run.begin; i < run.end(); ++i) {
             squares += squared_distance(rows.row(i), mean.data(), rows.cols);
-            polls.did(rows.cols);
+            checkpoint(rows.cols);
         }
     return squares / count;
 }
@@ -292,11 +284,11 @@ double rate_at(const std::vector<double>& phase, bool at_end, double period) {
 }
 
 Run registered(ConstMatrixView rows, const MeanCycle& mean, Run run, double slowest, double smooth,
-               double settled, const Spread& spread, const std::function<void()>& poll) {
+               double settled, const Spread& spread) {
     Moving moving(std::move(run));
     for (int round = 0; round < most_rounds; ++round) {
         const Run before = moving.run;
-        const Pull pull = pull_to(rows, mean.loop, moving.run, spread, poll);
+        const Pull pull = pull_to(rows, mean.loop, moving.run, spread);
         moving.follow(pull, stiffness_of(mean_weight({pull}), smooth * mean.period),
                       slowest / mean.period);
         if (moved(before, moving.run) < settled)
@@ -307,13 +299,13 @@ Run registered(ConstMatrixView rows, const MeanCycle& mean, Run run, double slow
 
 /// Registers the last two cycles at an end again, and blends them into what is there.
 void settle(ConstMatrixView rows, const MeanCycle& mean, const Spread& spread, bool at_end,
-            const std::function<void()>& poll, Run& run) {
+            Run& run) {
     const std::int64_t count =
         std::min(run.rows(), static_cast<std::int64_t>(std::llround(2 * mean.period)));
     const std::int64_t first = at_end ? run.rows() - count : 0;
     const auto begin = run.phase.begin() + first;
     const Run moved = registered(rows, mean, {run.begin + first, {begin, begin + count}},
-                                 slowest_beyond, smooth_share, nearly_settled, spread, poll);
+                                 slowest_beyond, smooth_share, nearly_settled, spread);
     for (std::int64_t i = 0; i < count; ++i) {
         const double place =
             static_cast<double>(i) / static_cast<double>(std::max<std::int64_t>(1, count - 1));
@@ -326,20 +318,20 @@ void settle(ConstMatrixView rows, const MeanCycle& mean, const Spread& spread, b
 } // namespace
 
 Registration register_runs(ConstMatrixView rows, std::vector<Run> runs, double period,
-                           double smooth, double settled, const std::function<void()>& poll) {
+                           double smooth, double settled) {
     Registration result;
     result.mean.period = period;
-    result.mean.variance = variance_of(rows, runs, poll);
+    result.mean.variance = variance_of(rows, runs);
     const std::int64_t harmonics = harmonics_for(period);
     std::vector<Moving> all;
     for (Run& run : runs)
         all.emplace_back(std::move(run));
     for (int round = 0; round < most_rounds; ++round) {
         const std::vector<Run> before = runs_of(all);
-        const Loop loop = fit_loop(rows, before, harmonics, poll);
+        const Loop loop = fit_loop(rows, before, harmonics);
         std::vector<Pull> pulls;
         for (const Moving& moving : all)
-            pulls.push_back(pull_to(rows, loop, moving.run, {}, poll));
+            pulls.push_back(pull_to(rows, loop, moving.run, {}));
         const double stiffness = stiffness_of(mean_weight(pulls), smooth * period);
         for (std::size_t r = 0; r < all.size(); ++r)
             all[r].follow(pulls[r], stiffness, slowest_in_cycle / period);
@@ -351,13 +343,13 @@ Registration register_runs(ConstMatrixView rows, std::vector<Run> runs, double p
             break;
     }
     result.runs = runs_of(all);
-    result.mean.loop = fit_loop(rows, result.runs, harmonics, poll);
+    result.mean.loop = fit_loop(rows, result.runs, harmonics);
     return result;
 }
 
 Run register_with(ConstMatrixView rows, const MeanCycle& mean, Run run, double slowest,
-                  double smooth, const std::function<void()>& poll) {
-    return registered(rows, mean, std::move(run), slowest, smooth, 0, {}, poll);
+                  double smooth) {
+    return registered(rows, mean, std::move(run), slowest, smooth, 0, {});
 }
 
 Run continued(const Run& run, double period, Range within) {
@@ -372,10 +364,9 @@ Run continued(const Run& run, double period, Range within) {
     return {within.begin, std::move(phase)};
 }
 
-Run grown(ConstMatrixView rows, const MeanCycle& mean, const Run& run, Range within,
-          const std::function<void()>& poll) {
+Run grown(ConstMatrixView rows, const MeanCycle& mean, const Run& run, Range within) {
     Run result = run;
-    const Spread spread = spread_about(rows, mean, run, poll);
+    const Spread spread = spread_about(rows, mean, run);
     const std::int64_t step = std::max<std::int64_t>(3, static_cast<std::int64_t>(mean.period / 4));
     while (result.begin > within.begin || result.end() < within.end) {
         const Run before = std::move(result);
@@ -383,23 +374,21 @@ Run grown(ConstMatrixView rows, const MeanCycle& mean, const Run& run, Range wit
                            {std::max(within.begin, before.begin - step),
                             std::min(within.end, before.end() + step)});
         if (result.begin < before.begin)
-            settle(rows, mean, spread, false, poll, result);
+            settle(rows, mean, spread, false, result);
         if (result.end() > before.end())
-            settle(rows, mean, spread, true, poll, result);
+            settle(rows, mean, spread, true, result);
         make_rise(result.phase, slowest_beyond * slowest_in_cycle / mean.period);
     }
     return result;
 }
 
-std::vector<double> residuals(ConstMatrixView rows, const MeanCycle& mean, const Run& run,
-                              const std::function<void()>& poll) {
-    PacedPoll polls(poll);
+std::vector<double> residuals(ConstMatrixView rows, const MeanCycle& mean, const Run& run) {
     std::vector<double> expected(static_cast<std::size_t>(rows.cols)), result;
     for (std::int64_t i = 0; i < run.rows(); ++i) {
         mean.loop.at(run.phase[static_cast<std::size_t>(i)], expected.data());
         result.push_back(std::sqrt(
             squared_distance(rows.row(run.begin + i), expected.data(), rows.cols) / mean.variance));
-        polls.did(work_at_phase(mean.loop));
+        checkpoint(work_at_phase(mean.loop));
     }
     return result;
 }

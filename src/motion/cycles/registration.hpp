@@ -3,7 +3,6 @@
 // improved in turns, beginning with linear time.
 #pragma once
 
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -37,27 +36,24 @@ struct Registration {
 /// the mean share of time at each phase is uniform, so that phases of several clips compare.
 /// `smooth`: see smooth_share. `settled`: rounds end after one that moves no phase by so much.
 Registration register_runs(ConstMatrixView rows, std::vector<Run> runs, double period,
-                           double smooth = smooth_share, double settled = 0,
-                           const std::function<void()>& poll = {});
+                           double smooth = smooth_share, double settled = 0);
 
 /// Registers one run with a known mean cycle. Steps of the phase are at least `slowest` of the
 /// mean.
 Run register_with(ConstMatrixView rows, const MeanCycle& mean, Run run, double slowest,
-                  double smooth = smooth_share, const std::function<void()>& poll = {});
+                  double smooth = smooth_share);
 
 /// The run, continued to rows [within.begin, within.end) a quarter of a cycle at a time. Steps are
 /// slower and faster there than within cycles, and columns that are far from the mean cycle have
 /// little weight.
-Run grown(ConstMatrixView rows, const MeanCycle& mean, const Run& run, Range within,
-          const std::function<void()>& poll = {});
+Run grown(ConstMatrixView rows, const MeanCycle& mean, const Run& run, Range within);
 
 /// The same without registration, at the rate of the last quarter of a cycle.
 Run continued(const Run& run, double period, Range within);
 
 /// Distance of each row of the run from the mean cycle, as a share of its root mean square
 /// deviation.
-std::vector<double> residuals(ConstMatrixView rows, const MeanCycle& mean, const Run& run,
-                              const std::function<void()>& poll = {});
+std::vector<double> residuals(ConstMatrixView rows, const MeanCycle& mean, const Run& run);
 
 /// A shift of phase, and the correlation of two mean cycles that it gives, each less its mean.
 struct Offset {

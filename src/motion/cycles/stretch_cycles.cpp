@@ -401,10 +401,10 @@ bool may_follow(const CyclicStretch& before, const CyclicStretch& after) {
 }
 
 CyclicStretch cut_stretch(const Signal& signal, const Stretch& stretch, Rows part, Rows within,
-                          const StillRows& still, RowProgress& progress) {
+                          const StillRows& still) {
     CyclicStretch cut;
     cut.stretch = stretch;
-    cut.growth = grow(signal, stretch, within, progress.poll());
+    cut.growth = grow(signal, stretch, within);
     Growth& growth = cut.growth;
     if (growth.run.rows() > 1)
         trim(still.rests, growth);
@@ -422,7 +422,7 @@ CyclicStretch cut_stretch(const Signal& signal, const Stretch& stretch, Rows par
                                 median(stretch.period) / signal.rate, min_turns);
         return cut;
     }
-    cut.phase = trace_phase(signal, growth, progress);
+    cut.phase = trace_phase(signal, growth);
     if (cut.borders.size() < 2) {
         cut.from_rest = cut.to_rest = false;
         const Beside beside = rests_beside(still, growth, within, signal.rate);
@@ -430,8 +430,7 @@ CyclicStretch cut_stretch(const Signal& signal, const Stretch& stretch, Rows par
                              static_cast<double>(growth.run.rows()) >
                                  most_of_part * static_cast<double>(part.count());
         cut.borders =
-            align_borders(signal, within, borders_at_margins(signal, growth, cut.phase, cut_off),
-                          progress.poll());
+            align_borders(signal, within, borders_at_margins(signal, growth, cut.phase, cut_off));
     }
     for (std::vector<double>* curve : {&cut.phase.curve, &cut.phase.partner})
         *curve = leveled(smooth(*curve, curve_smoothing * samples_per_period));

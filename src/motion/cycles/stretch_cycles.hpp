@@ -60,7 +60,7 @@ struct StillRows {
 
 /// The cycles of the stretch, which may grow to the rows `within` of its part.
 CyclicStretch cut_stretch(const Signal& signal, const Stretch& stretch, Rows part, Rows within,
-                          const StillRows& still, RowProgress& progress);
+                          const StillRows& still);
 
 /// Lets the cycles begin at the strikes within the rows, where the motion repeats. False, and
 /// nothing changes, if the strikes are not one turn apart, or no sure cycle lies between two.

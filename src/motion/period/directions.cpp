@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "base/checkpoint.hpp"
 #include "linalg/eigen.hpp"
 #include "linalg/principal.hpp"
 #include "linalg/simd.hpp"
@@ -23,21 +24,19 @@ constexpr std::int64_t most_rows = most_columns / 2;
 /// The rows whose scatter is computed.
 class Scatter {
   public:
-    Scatter(ConstMatrixView x, const std::vector<double>& usual, const Progress& progress)
-        : x_(x), mean_(column_means(x, [&] { progress.report(Stage::features, 1); })),
-          usual_(usual), work_of_row_(x.cols <= most_columns ? x.cols * x.cols / 2 : x.cols),
-          poll_(progress, Stage::features, 1) {}
+    Scatter(ConstMatrixView x, const std::vector<double>& usual)
+        : x_(x), mean_(column_means(x)), usual_(usual),
+          work_of_row_(x.cols <= most_columns ? x.cols * x.cols / 2 : x.cols) {}
 
     ConstMatrixView rows() const { return x_; }
-    PacedPoll& poll() { return poll_; }
     /// A pose, relative to the mean.
     void put_pose(std::int64_t i, double* row) {
-        poll_.did(work_of_row_);
+        checkpoint(work_of_row_);
         std::transform(x_.row(i), x_.row(i) + x_.cols, mean_.begin(), row, std::minus<>());
     }
     /// A velocity, relative to the usual one.
     void put_velocity(std::int64_t i, double* row) {
-        poll_.did(work_of_row_);
+        checkpoint(work_of_row_);
         const double scale = usual_[static_cast<std::size_t>(i)];
         for (std::int64_t c = 0; c < x_.cols; ++c)
             row[c] = scale > 0 ? (x_(i + 1, c) - x_(i, c)) / scale : 0;
@@ -48,7 +47,6 @@ class Scatter {
     std::vector<double> mean_;
     const std::vector<double>& usual_;
     std::int64_t work_of_row_; ///< including its products with itself
-    PacedPoll poll_;
 };
 
 /// Adds the outer products of `count` rows, which row_of(i, values) writes, divided by their trace.
@@ -106,16 +104,16 @@ Matrix of_columns(Scatter& scatter) {
 }
 
 /// Divides rows by the square root of the sum of their squares.
-void normalize(MatrixView rows, PacedPoll& poll) {
+void normalize(MatrixView rows) {
     double trace = 0;
     for (std::int64_t i = 0; i < rows.rows; ++i) {
         trace += dot(rows.row(i), rows.row(i), rows.cols);
-        poll.did(rows.cols);
+        checkpoint(rows.cols);
     }
     for (std::int64_t i = 0; i < rows.rows && trace > 0; ++i) {
         for (std::int64_t c = 0; c < rows.cols; ++c)
             rows.row(i)[c] /= std::sqrt(trace);
-        poll.did(rows.cols);
+        checkpoint(rows.cols);
     }
 }
 
@@ -132,8 +130,8 @@ Matrix spread_rows(Scatter& scatter) {
         if (x.rows > 1)
             scatter.put_velocity(place(i, x.rows - 1), a.row(count + i));
     }
-    normalize(a.view().block(0, count), scatter.poll());
-    normalize(a.view().block(count, count), scatter.poll());
+    normalize(a.view().block(0, count));
+    normalize(a.view().block(count, count));
     return a;
 }
 
@@ -144,7 +142,7 @@ Matrix of_rows(Scatter& scatter) {
     for (std::int64_t r = 0; r < a.rows(); ++r)
         for (std::int64_t c = 0; c <= r; ++c) {
             products(r, c) = dot(a.row(r), a.row(c), a.cols());
-            scatter.poll().did(a.cols());
+            checkpoint(a.cols());
         }
     const Leading leading(products);
     Matrix directions(a.cols(), leading.count);
@@ -156,16 +154,15 @@ Matrix of_rows(Scatter& scatter) {
         }
         for (std::int64_t c = 0; c < a.cols(); ++c)
             axpy(a(r, c), parts.data(), directions.row(c), leading.count);
-        scatter.poll().did(a.cols() * leading.count);
+        checkpoint(a.cols() * leading.count);
     }
     return directions;
 }
 
 } // namespace
 
-Matrix leading_directions(ConstMatrixView x, const std::vector<double>& usual,
-                          const Progress& progress) {
-    Scatter scatter(x, usual, progress);
+Matrix leading_directions(ConstMatrixView x, const std::vector<double>& usual) {
+    Scatter scatter(x, usual);
     return x.cols <= most_columns ? of_columns(scatter) : of_rows(scatter);
 }
 

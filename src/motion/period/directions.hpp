@@ -4,7 +4,6 @@
 
 #include <vector>
 
-#include "base/progress.hpp"
 #include "linalg/matrix.hpp"
 
 namespace stltsa::motion {
@@ -13,7 +12,6 @@ namespace stltsa::motion {
 /// weights, because a tapping foot has little variance of pose on a swaying body. Velocities are
 /// relative to the usual step from row to row (`usual`), because a tapping foot has little variance
 /// of velocity beside a run.
-Matrix leading_directions(ConstMatrixView x, const std::vector<double>& usual,
-                          const Progress& progress);
+Matrix leading_directions(ConstMatrixView x, const std::vector<double>& usual);
 
 } // namespace stltsa::motion

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/progress.hpp"
+#include "base/checkpoint.hpp"
 #include "linalg/simd.hpp"
 
 namespace stltsa::motion {
@@ -80,8 +80,7 @@ std::vector<double> window(double sigma) {
 
 } // namespace
 
-LagMap make_lag_map(const Signal& signal, Rows range, double shortest, double longest,
-                    const std::function<void()>& poll) {
+LagMap make_lag_map(const Signal& signal, Rows range, double shortest, double longest) {
     LagMap map;
     map.lags = lag_grid(shortest, longest);
     map.hop = std::max<std::int64_t>(1, std::lround(signal.rate / times_per_second));
@@ -92,18 +91,17 @@ LagMap make_lag_map(const Signal& signal, Rows range, double shortest, double lo
     for (std::int64_t i = 0; i < velocity.rows(); ++i)
         squares.push_back(dot(velocity.row(i), velocity.row(i), velocity.cols()));
     Products products;
-    PacedPoll polls(poll);
     for (std::size_t l = 0; l < map.lags.size(); ++l) {
         const double lag = map.lags[l];
         if (lag >= static_cast<double>(range.count() - 2))
             continue;
         multiply(velocity, squares, static_cast<std::int64_t>(lag), products);
         const auto weights = window(std::max(window_share * lag, least_window_s * signal.rate));
-        polls.did(velocity.rows() * velocity.cols());
+        checkpoint(velocity.rows() * velocity.cols());
         for (std::int64_t t = 0; t < map.times; ++t) {
             map.match[static_cast<std::size_t>(t) * map.lags.size() + l] = static_cast<float>(
                 weighted_ratio(products, static_cast<double>(t * map.hop) - lag / 2, weights));
-            polls.did(static_cast<std::int64_t>(weights.size()));
+            checkpoint(static_cast<std::int64_t>(weights.size()));
         }
     }
     return map;

@@ -4,7 +4,6 @@
 // little of them.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "motion/period/signal.hpp"
@@ -22,8 +21,7 @@ struct LagMap {
     }
 };
 
-/// Lags from `shortest` to `longest` rows. `poll` is called every few milliseconds and may throw.
-LagMap make_lag_map(const Signal& signal, Rows range, double shortest, double longest,
-                    const std::function<void()>& poll);
+/// Lags from `shortest` to `longest` rows.
+LagMap make_lag_map(const Signal& signal, Rows range, double shortest, double longest);
 
 } // namespace stltsa::motion

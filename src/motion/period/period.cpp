@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/progress.hpp"
 #include "linalg/simd.hpp"
 #include "motion/curve/extrema.hpp"
 #include "motion/curve/statistics.hpp"
@@ -39,15 +40,13 @@ double best_lag(const Signal& signal, const Stretch& stretch) {
 
 } // namespace
 
-Period find_period(ConstMatrixView samples, double fps, const PeriodRange& range,
-                   const Progress& progress) {
+Period find_period(ConstMatrixView samples, double fps, const PeriodRange& range) {
     constexpr std::int64_t min_samples = 4;
     if (samples.rows < min_samples)
         return {};
-    const auto report = [part = progress.part(0, 2)] { part.report(Stage::neighbors, 0); };
-    const Signal signal = make_signal(samples, fps, 0, 0, progress);
-    report();
-    const PeriodTrack track = track_period(signal, {0, signal.rows()}, range, report);
+    const Signal signal = make_signal(samples, fps, 0, 0);
+    report_progress(Stage::neighbors, 0);
+    const PeriodTrack track = track_period(signal, {0, signal.rows()}, range);
     const auto best = std::ranges::max_element(track.stretches, {}, [](const Stretch& stretch) {
         return static_cast<double>(stretch.rows.count()) * stretch.quality;
     });

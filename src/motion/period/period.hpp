@@ -2,7 +2,6 @@
 // The usual period of a motion, from which fits choose their neighbors.
 #pragma once
 
-#include "base/progress.hpp"
 #include "linalg/matrix.hpp"
 #include "motion/period/period_track.hpp"
 
@@ -16,7 +15,6 @@ struct Period {
 /// The lag, near the median period of the best stretch, at which the velocities match best. The
 /// best stretch has the largest product of length and match. Reports progress as the first half of
 /// the stage "neighbors".
-Period find_period(ConstMatrixView samples, double fps, const PeriodRange& range,
-                   const Progress& progress = {});
+Period find_period(ConstMatrixView samples, double fps, const PeriodRange& range);
 
 } // namespace stltsa::motion

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/progress.hpp"
+#include "base/checkpoint.hpp"
 #include "linalg/gaussian.hpp"
 #include "motion/curve/statistics.hpp"
 #include "motion/period/lag_map.hpp"
@@ -64,7 +64,7 @@ class Tracker {
     }
 
     /// For each time the index of the lag from `first` on, or states() for none.
-    std::vector<std::size_t> path(const std::function<void()>& poll);
+    std::vector<std::size_t> path();
     std::size_t states() const { return states_; }
 
   private:
@@ -127,14 +127,13 @@ void Tracker::step(std::int64_t time) {
     total_.swap(next_);
 }
 
-std::vector<std::size_t> Tracker::path(const std::function<void()>& poll) {
+std::vector<std::size_t> Tracker::path() {
     score(0, total_);
     total_.push_back(none_score * dt_);
     next_.resize(total_.size());
-    PacedPoll polls(poll);
     for (std::int64_t t = 1; t < map_.times; ++t) {
         step(t);
-        polls.did(static_cast<std::int64_t>(states_) * (2 * most_move + 1));
+        checkpoint(static_cast<std::int64_t>(states_) * (2 * most_move + 1));
     }
     std::vector<std::size_t> path(static_cast<std::size_t>(map_.times));
     path.back() =
@@ -289,8 +288,7 @@ double Stretch::period_at(double row) const {
         std::clamp(row - static_cast<double>(rows.begin), 0.0, last))];
 }
 
-PeriodTrack track_period(const Signal& signal, Rows range, const PeriodRange& periods,
-                         const std::function<void()>& poll) {
+PeriodTrack track_period(const Signal& signal, Rows range, const PeriodRange& periods) {
     PeriodTrack track;
     const double rate = signal.rate;
     const double longest =
@@ -299,14 +297,14 @@ PeriodTrack track_period(const Signal& signal, Rows range, const PeriodRange& pe
     if (static_cast<double>(range.count()) < shortest_range_s * rate || longest <= 1.2 * shortest)
         return track;
     const LagMap map =
-        make_lag_map(signal, range, std::max(lags_below * shortest, least_lag_rows), longest, poll);
+        make_lag_map(signal, range, std::max(lags_below * shortest, least_lag_rows), longest);
     const auto first = static_cast<std::size_t>(
         std::lower_bound(map.lags.begin(), map.lags.end(), shortest) - map.lags.begin());
     if (first >= map.lags.size())
         return track;
     set_best(map, first, rate, track);
     Tracker tracker(map, first, static_cast<double>(map.hop) / rate);
-    const auto path = tracker.path(poll);
+    const auto path = tracker.path();
     for (std::int64_t t = 0; t < map.times;) {
         std::int64_t end = t;
         const auto lag = [&](std::int64_t time) { return path[static_cast<std::size_t>(time)]; };

@@ -2,7 +2,6 @@
 // Where the motion repeats, and its period there, which may change over time.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -38,8 +37,6 @@ struct PeriodTrack {
     double best_lag_s = 0;
 };
 
-/// `poll` is called every few milliseconds and may throw.
-PeriodTrack track_period(const Signal& signal, Rows range, const PeriodRange& periods,
-                         const std::function<void()>& poll = {});
+PeriodTrack track_period(const Signal& signal, Rows range, const PeriodRange& periods);
 
 } // namespace stltsa::motion

@@ -6,6 +6,7 @@
 #include <functional>
 #include <numeric>
 
+#include "base/progress.hpp"
 #include "linalg/gaussian.hpp"
 #include "linalg/principal.hpp"
 #include "linalg/simd.hpp"
@@ -39,7 +40,7 @@ constexpr double least_usual = 0.04;
 /// A body that only sways stands: its size per second. A rest is slower than a quarter of that:
 /// joints that are 0.5 m from the hips move at 1.5 cm/s.
 constexpr double least_of_size = 0.12;
-/// Work of sorting a number, for polls.
+/// Work of sorting a number, for checkpoint().
 constexpr std::int64_t sorting = 32;
 
 Matrix differences(ConstMatrixView x) {
@@ -53,8 +54,8 @@ Matrix differences(ConstMatrixView x) {
     return d;
 }
 
-Matrix velocities(const Matrix& poses, double sigma, const std::function<void()>& poll = {}) {
-    return differences(gaussian_smoothed(poses.view(), sigma, Beyond::nothing, 1, poll).view());
+Matrix velocities(const Matrix& poses, double sigma) {
+    return differences(gaussian_smoothed(poses.view(), sigma, Beyond::nothing, 1).view());
 }
 
 double third_difference(const Matrix& x, std::int64_t i, std::int64_t c) {
@@ -97,12 +98,11 @@ double least_roughness(const Matrix& x) {
     return means.empty() ? 0 : quiet_bias * quantile(means, quiet_share);
 }
 
-std::vector<double> speeds(const Matrix& velocity, double sigma,
-                           const std::function<void()>& poll) {
+std::vector<double> speeds(const Matrix& velocity, double sigma) {
     Matrix speed(velocity.rows(), 1);
     for (std::int64_t i = 0; i < velocity.rows(); ++i)
         speed(i, 0) = std::sqrt(dot(velocity.row(i), velocity.row(i), velocity.cols()));
-    const Matrix smoothed = gaussian_smoothed(speed.view(), sigma, Beyond::nothing, 1, poll);
+    const Matrix smoothed = gaussian_smoothed(speed.view(), sigma, Beyond::nothing, 1);
     return {smoothed.data(), smoothed.data() + smoothed.rows()};
 }
 
@@ -118,15 +118,14 @@ double typical(std::vector<double> speed) {
 }
 
 /// The typical speed around each second, linear between them.
-std::vector<double> usual_speeds(const std::vector<double>& speed, double rate, double neighborhood,
-                                 const std::function<void()>& poll) {
+std::vector<double> usual_speeds(const std::vector<double>& speed, double rate,
+                                 double neighborhood) {
     const auto n = static_cast<std::int64_t>(speed.size());
     const auto hop = std::max<std::int64_t>(1, std::lround(rate));
     const auto reach = static_cast<std::int64_t>(neighborhood * rate);
     std::vector<double> at;
-    PacedPoll polls(poll);
     for (std::int64_t t = 0; t < n + hop; t += hop) {
-        polls.did(sorting * 2 * reach);
+        checkpoint(sorting * 2 * reach);
         at.push_back(typical({speed.begin() + std::clamp<std::int64_t>(t - reach, 0, n - 1),
                               speed.begin() + std::min(n, t + reach)}));
     }
@@ -140,28 +139,25 @@ std::vector<double> usual_speeds(const std::vector<double>& speed, double rate, 
 }
 
 /// How fast the rows usually change around each of them.
-std::vector<double> usual_steps(ConstMatrixView x, double rate, const Progress& progress) {
+std::vector<double> usual_steps(ConstMatrixView x, double rate) {
     Matrix steps(x.rows, 1);
-    PacedPoll poll(progress, Stage::features, 1);
     for (std::int64_t i = 1; i < x.rows; ++i) {
         steps(i, 0) = std::sqrt(squared_distance(x.row(i), x.row(i - 1), x.cols));
-        poll.did(x.cols);
+        checkpoint(x.cols);
     }
     const std::vector<double> speed(steps.data(), steps.data() + x.rows);
-    std::vector<double> usual =
-        usual_speeds(speed, rate, neighborhood_s, [&] { progress.report(Stage::features, 1); });
+    std::vector<double> usual = usual_speeds(speed, rate, neighborhood_s);
     const double least = least_usual * typical(speed);
     for (double& step : usual)
         step = std::max(step, least);
     return usual;
 }
 
-Matrix projected(ConstMatrixView x, const Matrix& directions, const Progress& progress) {
-    PacedPoll poll(progress, Stage::features, 1);
-    const std::vector<double> mean = column_means(x, [&] { progress.report(Stage::features, 1); });
+Matrix projected(ConstMatrixView x, const Matrix& directions) {
+    const std::vector<double> mean = column_means(x);
     Matrix result(x.rows, directions.cols());
     for (std::int64_t i = 0; i < x.rows; ++i) {
-        poll.did(x.cols * directions.cols());
+        checkpoint(x.cols * directions.cols());
         for (std::int64_t c = 0; c < x.cols; ++c)
             axpy(x(i, c) - mean[static_cast<std::size_t>(c)], directions.row(c), result.row(i),
                  directions.cols());
@@ -169,41 +165,37 @@ Matrix projected(ConstMatrixView x, const Matrix& directions, const Progress& pr
     return result;
 }
 
-Matrix every(ConstMatrixView samples, std::int64_t step, const Progress& progress) {
+Matrix every(ConstMatrixView samples, std::int64_t step) {
     Matrix rows = Matrix::unset((samples.rows + step - 1) / step, samples.cols);
-    PacedPoll poll(progress, Stage::features, 1);
     for (std::int64_t i = 0; i < rows.rows(); ++i) {
         std::copy_n(samples.row(i * step), samples.cols, rows.row(i));
-        poll.did(samples.cols);
+        checkpoint(samples.cols);
     }
     return rows;
 }
 
 } // namespace
 
-Signal make_signal(ConstMatrixView samples, double fps, double smoothed_s, double size,
-                   const Progress& progress) {
-    const auto poll = [&] { progress.report(Stage::features, 1); };
+Signal make_signal(ConstMatrixView samples, double fps, double smoothed_s, double size) {
+    report_progress(Stage::features, 1);
     Signal signal;
     signal.step = std::max<std::int64_t>(
         1, std::llround(std::min(fps / rows_per_second, static_cast<double>(samples.rows))));
     signal.rate = fps / static_cast<double>(signal.step);
-    const Matrix thinned = signal.step > 1 ? every(samples, signal.step, progress) : Matrix();
+    const Matrix thinned = signal.step > 1 ? every(samples, signal.step) : Matrix();
     const ConstMatrixView rows = signal.step > 1 ? thinned.view() : samples;
-    signal.directions =
-        leading_directions(rows, usual_steps(rows, signal.rate, progress), progress);
-    const Matrix poses = projected(rows, signal.directions, progress);
+    signal.directions = leading_directions(rows, usual_steps(rows, signal.rate));
+    const Matrix poses = projected(rows, signal.directions);
     const double rough = least_roughness(poses), sigma = velocity_smoothing_s * signal.rate;
     double noise = 0, all = 0;
     for (const double seconds : pose_smoothing_s) {
         const double more = seconds * signal.rate;
         signal.poses =
-            more > 0 ? gaussian_smoothed(poses.view(), more, Beyond::reflection, 1, poll) : poses;
+            more > 0 ? gaussian_smoothed(poses.view(), more, Beyond::reflection, 1) : poses;
         // Reflection would make noise at the ends twice as large: a body that stands would move.
-        signal.velocity = velocities(poses, std::hypot(more, sigma), poll);
-        signal.speed =
-            speeds(signal.velocity, std::hypot(speed_smoothing_s * signal.rate, more), poll);
-        poll();
+        signal.velocity = velocities(poses, std::hypot(more, sigma));
+        signal.speed = speeds(signal.velocity, std::hypot(speed_smoothing_s * signal.rate, more));
+        checkpoint();
         noise = rough > 0
                     ? std::sqrt(rough * noise_in_velocities(smoothed_s * signal.rate, more, sigma))
                     : 0;
@@ -211,10 +203,10 @@ Signal make_signal(ConstMatrixView samples, double fps, double smoothed_s, doubl
         if (noise <= most_noise * all)
             break;
     }
-    signal.usual = usual_speeds(signal.speed, signal.rate, neighborhood_s, poll);
+    signal.usual = usual_speeds(signal.speed, signal.rate, neighborhood_s);
     for (double& speed : signal.speed)
         speed = std::sqrt(std::max(0.0, speed * speed - noise * noise));
-    signal.near_usual = usual_speeds(signal.speed, signal.rate, near_s, poll);
+    signal.near_usual = usual_speeds(signal.speed, signal.rate, near_s);
     const double least = least_usual * all;
     const double standing = least_of_size * size / signal.rate;
     for (std::size_t i = 0; i < signal.usual.size(); ++i) {
@@ -223,6 +215,10 @@ Signal make_signal(ConstMatrixView samples, double fps, double smoothed_s, doubl
                                          2 * least, above_noise * noise, standing});
     }
     return signal;
+}
+
+void report_row(const Signal& signal, double row) {
+    report_progress(Stage::units, std::min(row / static_cast<double>(signal.rows()), 1.0));
 }
 
 void row_at(ConstMatrixView rows, double place, double* values) {

@@ -6,7 +6,6 @@
 #include <optional>
 #include <vector>
 
-#include "base/progress.hpp"
 #include "linalg/matrix.hpp"
 
 namespace stltsa::motion {
@@ -31,8 +30,7 @@ struct Signal {
 
 /// `samples`: frames x features at `fps`, smoothed by a Gaussian of `smoothed_s`, of a body of
 /// this size (Options). At most about 30 rows a second are kept.
-Signal make_signal(ConstMatrixView samples, double fps, double smoothed_s, double size,
-                   const Progress& progress = {});
+Signal make_signal(ConstMatrixView samples, double fps, double smoothed_s, double size);
 
 /// [begin, end) in rows.
 struct Rows {
@@ -42,6 +40,9 @@ struct Rows {
     std::int64_t count() const { return end - begin; }
     bool operator==(const Rows&) const = default;
 };
+
+/// Reports progress through the rows, some of which are visited again.
+void report_row(const Signal& signal, double row);
 
 /// The row at `place`, interpolated linearly; places beyond the ends give the end rows.
 void row_at(ConstMatrixView rows, double place, double* values);

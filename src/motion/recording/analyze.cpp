@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "base/progress.hpp"
 #include "linalg/simd.hpp"
 #include "ltsa/frames.hpp"
 #include "motion/behaviors/change_points.hpp"
@@ -100,8 +101,7 @@ void begin_all_at_strikes(const Signal& signal, std::vector<Strikes> strikes,
 
 } // namespace
 
-Recording analyze(ConstMatrixView samples, double fps, const Options& options,
-                  const Progress& progress) {
+Recording analyze(ConstMatrixView samples, double fps, const Options& options) {
     ltsa::check_frames(samples, {&samples.rows, 1});
     if (samples.rows < min_samples)
         fail(Status::too_few_frames, "{} samples are too few to decompose; at least {} are needed",
@@ -109,10 +109,10 @@ Recording analyze(ConstMatrixView samples, double fps, const Options& options,
     if (const int power = ltsa::power_if_tiny(samples); power != 0) {
         Options of_scaled = options;
         of_scaled.size = std::scalbn(options.size, power);
-        return analyze(ltsa::scaled(samples, power).view(), fps, of_scaled, progress);
+        return analyze(ltsa::scaled(samples, power).view(), fps, of_scaled);
     }
     const double seconds = static_cast<double>(samples.rows) / fps;
-    Signal signal = make_signal(samples, fps, options.smoothed_s, options.size, progress);
+    Signal signal = make_signal(samples, fps, options.smoothed_s, options.size);
     if (!options.side.empty()) {
         const double length =
             std::sqrt(dot(options.side.data(), options.side.data(), samples.cols));
@@ -128,34 +128,32 @@ Recording analyze(ConstMatrixView samples, double fps, const Options& options,
     Pauses pauses = find_pauses(signal, rests);
     add_holes(holes, rests, pauses);
     const StillRows still{rests, pauses.rests, holes};
-    const auto poll_at = [&](double fraction) {
-        return [&progress, fraction] { progress.report(Stage::units, fraction); };
-    };
-    const KernelFeatures features(signal, options.rotations, poll_at(0));
+    report_progress(Stage::units, 0);
+    const KernelFeatures features(signal, options.rotations);
     const auto drafts_at = [&](std::int64_t more) {
         const std::vector<Part> parts =
             divide(signal, {seconds > shortest_divided_s ? &features : nullptr, more}, still,
-                   options.periods, progress);
-        std::vector<Draft> drafts =
-            make_drafts(signal, parts, pauses, features.of_shapes(), poll_at(1));
+                   options.periods);
+        report_progress(Stage::units, 1);
+        std::vector<Draft> drafts = make_drafts(signal, parts, pauses, features.of_shapes());
         merge_shapes(features, parts, drafts);
         return drafts;
     };
     std::vector<Draft> found = drafts_at(0), drafts = found;
-    set_labels(features, drafts, poll_at(1));
+    set_labels(features, drafts);
     join_neighbors(drafts);
     if (options.segments) {
         drafts =
             fit_number(features, *options.segments, drafts_at, std::move(drafts), std::move(found));
-        set_labels(features, drafts, poll_at(1));
+        set_labels(features, drafts);
     }
     divide_at_holes(exact_holes, signal.rate, drafts);
     const Context context{signal, features, pauses};
     if (options.strikes) {
-        const Recording first = answer_of(context, drafts, samples, options, poll_at(1));
+        const Recording first = answer_of(context, drafts, samples, options);
         begin_all_at_strikes(signal, options.strikes(first), still, drafts);
     }
-    return answer_of(context, std::move(drafts), samples, options, poll_at(1));
+    return answer_of(context, std::move(drafts), samples, options);
 }
 
 } // namespace stltsa::motion

@@ -2,13 +2,11 @@
 // From the samples of a recording to its segments, units and cycles.
 #pragma once
 
-#include "base/progress.hpp"
 #include "motion/recording/recording.hpp"
 
 namespace stltsa::motion {
 
 /// `samples`: frames x features at `fps` (> 0).
-Recording analyze(ConstMatrixView samples, double fps, const Options& options,
-                  const Progress& progress);
+Recording analyze(ConstMatrixView samples, double fps, const Options& options);
 
 } // namespace stltsa::motion

@@ -6,6 +6,7 @@
 #include <functional>
 #include <iterator>
 
+#include "base/checkpoint.hpp"
 #include "linalg/simd.hpp"
 #include "motion/behaviors/likeness.hpp"
 #include "motion/curve/statistics.hpp"
@@ -209,7 +210,7 @@ void append_units(Work& work, const Draft& draft, const RestKind& rest_kind) {
 }
 
 /// The mean likeness of each segment to the others of its label, and of labels to each other.
-void set_likeness(Work& work, const std::vector<Draft>& drafts, const std::function<void()>& poll) {
+void set_likeness(Work& work, const std::vector<Draft>& drafts) {
     const Describer describe(work.features);
     std::vector<std::vector<std::size_t>> of_label;
     std::vector<Description> done(drafts.size());
@@ -231,8 +232,7 @@ void set_likeness(Work& work, const std::vector<Draft>& drafts, const std::funct
     const auto labels = static_cast<std::int64_t>(of_label.size());
     work.result.label_likeness = Matrix(labels, labels);
     for (std::int64_t a = 0; a < labels; ++a) {
-        if (poll)
-            poll();
+        checkpoint();
         for (std::int64_t b = 0; b <= a; ++b) {
             const auto& members = of_label[static_cast<std::size_t>(a)];
             const std::size_t stride = (members.size() + most_compared - 1) / most_compared;
@@ -248,8 +248,7 @@ void set_likeness(Work& work, const std::vector<Draft>& drafts, const std::funct
                 mean_likeness(i, of_label[static_cast<std::size_t>(drafts[i].label)]);
 }
 
-void append_all(Work& work, std::vector<Draft>& drafts, const RestKind& rest_kind,
-                const std::function<void()>& poll) {
+void append_all(Work& work, std::vector<Draft>& drafts, const RestKind& rest_kind) {
     for (std::size_t i = 0; i < drafts.size(); ++i) {
         append_segment(work, drafts, i);
         append_units(work, drafts[i], rest_kind);
@@ -257,7 +256,7 @@ void append_all(Work& work, std::vector<Draft>& drafts, const RestKind& rest_kin
     const auto end = static_cast<double>(work.samples.rows);
     work.result.segments.back().end = end;
     work.result.units.back().end = end;
-    set_likeness(work, drafts, poll);
+    set_likeness(work, drafts);
 }
 
 /// Of the cyclic segment that lasts longest: the first cycle, and the one most like their mean.
@@ -282,7 +281,7 @@ void set_typical(Work& work) {
 } // namespace
 
 Recording answer_of(const Context& context, std::vector<Draft> drafts, ConstMatrixView samples,
-                    const Options& options, const std::function<void()>& poll) {
+                    const Options& options) {
     Work work{context.signal, context.features, samples, {}};
     double last = 0;
     for (const Draft& draft : drafts)
@@ -296,7 +295,7 @@ Recording answer_of(const Context& context, std::vector<Draft> drafts, ConstMatr
                 return UnitKind::hold;
         return begin >= last && last > 0 ? UnitKind::wind_up : UnitKind::preparing;
     };
-    append_all(work, drafts, kind_of, poll);
+    append_all(work, drafts, kind_of);
     work.result.curve = curve_of(context.signal, drafts, samples.rows);
     work.result.reason = reason_of(drafts, samples, options);
     if (!options.jump.empty() && work.result.reason.empty())

@@ -13,6 +13,6 @@ struct Context {
 };
 
 Recording answer_of(const Context& context, std::vector<Draft> drafts, ConstMatrixView samples,
-                    const Options& options, const std::function<void()>& poll);
+                    const Options& options);
 
 } // namespace stltsa::motion

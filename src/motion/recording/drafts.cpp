@@ -6,6 +6,7 @@
 #include <functional>
 #include <iterator>
 
+#include "base/checkpoint.hpp"
 #include "motion/curve/statistics.hpp"
 #include "motion/recording/repetition_ends.hpp"
 
@@ -266,9 +267,9 @@ std::vector<Rows> split_by_group(const Signal& signal, Rows motion, int own, std
 /// where the behavior changes: no pause may lie between the last repetition of one action and the
 /// first of the next.
 Motions grouped_motions(const Signal& signal, const std::vector<Part>& parts, const Pauses& pauses,
-                        const std::vector<Rows>& ranges, const std::function<void()>& poll) {
+                        const std::vector<Rows>& ranges) {
     Motions whole{find_motions(signal, pauses, ranges), {}, {}};
-    whole.groups = group_motions(signal, whole.rows, poll);
+    whole.groups = group_motions(signal, whole.rows);
     const std::vector<Group> groups = largest_groups(whole);
     std::vector<std::size_t> counts;
     for (const int group : whole.groups) {
@@ -277,8 +278,7 @@ Motions grouped_motions(const Signal& signal, const std::vector<Part>& parts, co
     }
     Motions cut;
     for (std::size_t i = 0; i < whole.rows.size(); ++i) {
-        if (poll)
-            poll();
+        checkpoint();
         const std::size_t like = counts[static_cast<std::size_t>(whole.groups[i])];
         std::vector<Rows> pieces =
             split_by_group(signal, whole.rows[i], whole.groups[i], like, groups);
@@ -290,7 +290,7 @@ Motions grouped_motions(const Signal& signal, const std::vector<Part>& parts, co
                          pieces.size() == 1 && between_pauses(signal, pauses, whole.rows[i]));
     }
     cut.groups =
-        cut.rows.size() == whole.rows.size() ? whole.groups : group_motions(signal, cut.rows, poll);
+        cut.rows.size() == whole.rows.size() ? whole.groups : group_motions(signal, cut.rows);
     return cut;
 }
 
@@ -302,9 +302,8 @@ double gain_at(const std::vector<Part>& parts, std::int64_t row) {
 
 /// Actions and repetitions outside the cyclic segments.
 void append_motions(const Signal& signal, const std::vector<Part>& parts, const Pauses& pauses,
-                    const std::vector<Rows>& ranges, const std::function<void()>& poll,
-                    std::vector<Draft>& drafts) {
-    const Motions motions = grouped_motions(signal, parts, pauses, ranges, poll);
+                    const std::vector<Rows>& ranges, std::vector<Draft>& drafts) {
+    const Motions motions = grouped_motions(signal, parts, pauses, ranges);
     const auto one_range = [&](const Rows& a, const Rows& b) {
         return std::ranges::any_of(ranges, [&](const Rows& range) {
             return range.begin <= a.begin && b.end <= range.end;
@@ -437,8 +436,7 @@ std::vector<Interval> Draft::cycles() const {
 }
 
 std::vector<Draft> make_drafts(const Signal& signal, const std::vector<Part>& parts,
-                               const Pauses& pauses, bool of_shapes,
-                               const std::function<void()>& poll) {
+                               const Pauses& pauses, bool of_shapes) {
     std::vector<Draft> drafts;
     for (const Part& part : parts)
         append_cyclic(signal, part, pauses.rests, drafts);
@@ -446,7 +444,7 @@ std::vector<Draft> make_drafts(const Signal& signal, const std::vector<Part>& pa
     std::vector<Rows> ranges = outside(drafts, signal.rows());
     if (of_shapes)
         ranges = within_parts(ranges, parts);
-    append_motions(signal, parts, pauses, ranges, poll, drafts);
+    append_motions(signal, parts, pauses, ranges, drafts);
     for (std::size_t i = cyclic; i < drafts.size(); ++i)
         set_reason(signal, parts, drafts[i]);
     std::ranges::stable_sort(drafts, {}, &Draft::begin);

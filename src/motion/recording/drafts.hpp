@@ -3,7 +3,6 @@
 // out of them, repetitions, single actions, and rests between them.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -33,15 +32,12 @@ struct Draft {
     std::vector<Interval> cycles() const;
 };
 
-/// Cover all rows of the signal. `of_shapes`: no motion continues across a border of parts. `poll`
-/// is called every few milliseconds and may throw.
+/// Cover all rows of the signal. `of_shapes`: no motion continues across a border of parts.
 std::vector<Draft> make_drafts(const Signal& signal, const std::vector<Part>& parts,
-                               const Pauses& pauses, bool of_shapes,
-                               const std::function<void()>& poll);
+                               const Pauses& pauses, bool of_shapes);
 
-/// Sets the labels of all that moves: the same motions share one. `poll`: of group().
-void set_labels(const KernelFeatures& features, std::vector<Draft>& drafts,
-                const std::function<void()>& poll);
+/// Sets the labels of all that moves: the same motions share one.
+void set_labels(const KernelFeatures& features, std::vector<Draft>& drafts);
 
 /// Neighbors with one label that touch become one.
 void join_neighbors(std::vector<Draft>& drafts);

@@ -23,8 +23,7 @@ bool may_be_same(const Draft& a, const Draft& b) {
 
 } // namespace
 
-void set_labels(const KernelFeatures& features, std::vector<Draft>& drafts,
-                const std::function<void()>& poll) {
+void set_labels(const KernelFeatures& features, std::vector<Draft>& drafts) {
     const Describer describe(features);
     std::vector<Draft*> moving;
     std::vector<Description> done;
@@ -40,8 +39,7 @@ void set_labels(const KernelFeatures& features, std::vector<Draft>& drafts,
             if (moving[a]->group >= 0 && moving[a]->group == moving[b]->group)
                 return 0.0;
             return may_be_same(*moving[a], *moving[b]) ? 1 - likeness(done[a], done[b]) : different;
-        },
-        poll);
+        });
     for (std::size_t i = 0; i < moving.size(); ++i)
         moving[i]->label = labels[i];
 }

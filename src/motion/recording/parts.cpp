@@ -103,12 +103,11 @@ bool pauses_within(const StillRows& still, Rows rows) {
 /// The cycles of the part: the longest stretches first, as far as they grow. What is left of a
 /// stretch is one as well. If none has cycles, shorter lags are tried: a walk that turns twice
 /// resembles itself most after both turns. What pauses may be repetitions instead.
-Part decide(const Signal& signal, Rows rows, const StillRows& still, const PeriodRange& periods,
-            RowProgress& progress) {
-    progress.reached(static_cast<double>(rows.begin));
+Part decide(const Signal& signal, Rows rows, const StillRows& still, const PeriodRange& periods) {
+    report_row(signal, static_cast<double>(rows.begin));
     Part part;
     part.rows = rows;
-    PeriodTrack track = track_period(signal, rows, periods, progress.poll());
+    PeriodTrack track = track_period(signal, rows, periods);
     part.best_match = track.best_match;
     part.best_lag_s = track.best_lag_s;
     const auto weight = [](const Stretch& stretch) {
@@ -123,7 +122,7 @@ Part decide(const Signal& signal, Rows rows, const StillRows& still, const Perio
         const Stretch stretch = within(next, free);
         if (stretch.rows.count() < 2)
             continue;
-        CyclicStretch cut = cut_stretch(signal, stretch, rows, free, still, progress);
+        CyclicStretch cut = cut_stretch(signal, stretch, rows, free, still);
         const Run& run = cut.growth.run;
         for (const Rows left :
              {Rows{stretch.rows.begin, run.begin}, Rows{run.end(), stretch.rows.end}})
@@ -138,12 +137,12 @@ Part decide(const Signal& signal, Rows rows, const StillRows& still, const Perio
                                                        shortest_lag(small, signal.rate));
     if (part.cycles().empty() && longest_s > periods.shortest_s && longest_s < periods.longest_s &&
         !pauses_within(still, rows)) {
-        Part shorter = decide(signal, rows, still, {periods.shortest_s, longest_s}, progress);
+        Part shorter = decide(signal, rows, still, {periods.shortest_s, longest_s});
         if (!shorter.cycles().empty())
             return shorter;
     }
     if (rows == Rows{0, signal.rows()} && part.cycles().empty())
-        if (auto closed = closed_cycle(signal, periods, progress)) {
+        if (auto closed = closed_cycle(signal, periods)) {
             part.stretches = {*std::move(closed)};
             return part;
         }
@@ -171,12 +170,10 @@ std::int64_t moved_to_rest(const Signal& signal, const std::vector<Rows>& rests,
 
 /// The parts without their cycles. The rows between a hole and a border of behaviors next to it are
 /// too few for a behavior of their own.
-std::vector<Part> undecided(const Signal& signal, const Borders& borders, const StillRows& still,
-                            RowProgress& progress) {
+std::vector<Part> undecided(const Signal& signal, const Borders& borders, const StillRows& still) {
     std::vector<std::int64_t> rows{0};
     if (borders.features != nullptr)
-        for (const std::int64_t row :
-             behavior_borders(*borders.features, borders.more, progress.poll()))
+        for (const std::int64_t row : behavior_borders(*borders.features, borders.more))
             rows.push_back(moved_to_rest(signal, still.rests, row));
     rows.push_back(signal.rows());
     const auto beside = static_cast<std::int64_t>(beside_hole_s * signal.rate);
@@ -221,11 +218,10 @@ std::vector<Interval> Part::cycles() const {
 }
 
 std::vector<Part> divide(const Signal& signal, const Borders& borders, const StillRows& still,
-                         const PeriodRange& periods, const Progress& progress) {
-    RowProgress reported(progress, signal.rows());
+                         const PeriodRange& periods) {
     std::vector<Part> parts;
-    for (const Part& part : undecided(signal, borders, still, reported))
-        parts.push_back(part.is_hole ? part : decide(signal, part.rows, still, periods, reported));
+    for (const Part& part : undecided(signal, borders, still))
+        parts.push_back(part.is_hole ? part : decide(signal, part.rows, still, periods));
     if (borders.features == nullptr)
         return parts;
     for (std::size_t i = 1; i < parts.size(); ++i)

@@ -4,7 +4,6 @@
 
 #include <vector>
 
-#include "base/progress.hpp"
 #include "motion/behaviors/behaviors.hpp"
 #include "motion/cycles/stretch_cycles.hpp"
 
@@ -31,6 +30,6 @@ struct Borders {
 /// Each hole is a part without cycles, so that the rows on one side of it get the result that they
 /// would get alone.
 std::vector<Part> divide(const Signal& signal, const Borders& borders, const StillRows& still,
-                         const PeriodRange& periods, const Progress& progress);
+                         const PeriodRange& periods);
 
 } // namespace stltsa::motion

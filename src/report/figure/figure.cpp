@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/names.hpp"
+#include "base/progress.hpp"
 #include "base/text.hpp"
 #include "report/curve_rows.hpp"
 #include "report/figure/panels.hpp"
@@ -27,8 +28,9 @@ std::string summary_of(const results::Decomposed& found) {
             text += "; ";
         if (found.summaries.size() > 1)
             text += std::string(motion.letters) + ": ";
-        text += format_text("{} of {:.3f} s",
-                            counted(motion.count, cyclic ? "cycle" : "repetition"), motion.cycle_time_s.mean);
+        text +=
+            format_text("{} of {:.3f} s", counted(motion.count, cyclic ? "cycle" : "repetition"),
+                        motion.cycle_time_s.mean);
         if (motion.count > 1)
             text += format_text(", standard deviation {:.3f} s", motion.cycle_time_s.sd);
     }
@@ -85,10 +87,9 @@ double draw_legend(Svg& svg, const Figure& figure, double y) {
 } // namespace
 
 std::string figure(const clip::Clip& clip, const results::Decomposed& found,
-                   const std::string& title, const Progress& progress) {
+                   const std::string& title) {
     results::check_same_clip(clip, *found.rows);
-    const auto poll = [&] { progress.report(Stage::write, 0); };
-    poll();
+    report_progress(Stage::write, 0);
     constexpr std::size_t most_cycles = 40;
     Figure drawn{found, found.rows->clip, curve_rows(found, 1)};
     find_shown(drawn);
@@ -112,7 +113,7 @@ std::string figure(const clip::Clip& clip, const results::Decomposed& found,
     write(summary_of(found), 12, ink, "normal");
     std::optional<SideView> body;
     if (clip.skeleton && found.source.samples.up != clip::Axis::none)
-        body.emplace(clip, found.source.samples.up, poll);
+        body.emplace(clip, found.source.samples.up);
     const double height = body ? 370 : 240;
     draw_time(svg, drawn, body ? &*body : nullptr, {left, y + 12, right - left, height});
     y = draw_legend(svg, drawn, y + height + 30) + 18;

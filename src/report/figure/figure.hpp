@@ -12,6 +12,6 @@ namespace stltsa::report {
 
 /// An SVG document. Throws Status::argument if the decomposition is not of the clip.
 std::string figure(const clip::Clip& clip, const results::Decomposed& found,
-                   const std::string& title, const Progress& progress);
+                   const std::string& title);
 
 } // namespace stltsa::report

@@ -15,11 +15,11 @@ namespace stltsa::report {
 struct Figure {
     const results::Decomposed& found;
     const results::ClipFacts& clip;
-    Matrix rows;                             ///< see curve_rows()
-    std::int64_t begin = 0, end = 0;         ///< samples of the loop and of the overlaid cycles
+    Matrix rows;                         ///< see curve_rows()
+    std::int64_t begin = 0, end = 0;     ///< samples of the loop and of the overlaid cycles
     const stltsa_part* chosen = nullptr; ///< the cycle that stands out; null: none does
-    bool dense = false;                      ///< too many cycles to be told apart
-    bool several = false;                    ///< more than one segment moves
+    bool dense = false;                  ///< too many cycles to be told apart
+    bool several = false;                ///< more than one segment moves
 
     std::int64_t frame_of(std::int64_t sample) const {
         return found.source.samples.first + sample * found.source.samples.step;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/checkpoint.hpp"
 #include "base/text.hpp"
 #include "clip/text/text_cursor.hpp"
 
@@ -28,7 +29,7 @@ std::pair<double, double> heights(const std::vector<Vec3>& body) {
 
 } // namespace
 
-SideView::SideView(const clip::Clip& clip, clip::Axis up, const std::function<void()>& poll)
+SideView::SideView(const clip::Clip& clip, clip::Axis up)
     : clip_(clip), heading_(clip, clip::body_root(clip), up),
       up_(static_cast<std::size_t>(up) - 1) {
     const std::size_t root = heading_.root();
@@ -39,7 +40,7 @@ SideView::SideView(const clip::Clip& clip, clip::Axis up, const std::function<vo
     Vec3 travel{}, before{}; // of the root, as the body is turned
     for (std::int64_t frame = 0; frame < clip.frames(); ++frame) {
         if (frame % 1024 == 0)
-            poll();
+            checkpoint();
         const std::vector<Vec3> joints = body(frame);
         for (std::size_t j = 0; j < joints.size(); ++j) {
             mean[j] = mean[j] + share * joints[j];

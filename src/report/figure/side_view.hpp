@@ -15,7 +15,7 @@ namespace stltsa::report {
 class SideView {
   public:
     /// Of a clip with a skeleton. `poll`: called periodically, may throw.
-    SideView(const clip::Clip& clip, clip::Axis up, const std::function<void()>& poll);
+    SideView(const clip::Clip& clip, clip::Axis up);
 
     /// Around the posture of a frame and the ground, in the file's unit, y up.
     Rect box(std::int64_t frame);

@@ -11,12 +11,14 @@
 #include <vector>
 
 #include "assertions.hpp"
+#include "checkpoints.hpp"
 
 namespace {
 
 using stltsa::parallel_blocks;
-using stltsa::poll_within_block;
 using stltsa::SharedThreads;
+using stltsa::Stage;
+using testing::Answering;
 
 std::atomic<int> threads_seen;
 
@@ -101,30 +103,30 @@ void the_lowest_failure_is_thrown(void**) {
             throw std::runtime_error(std::to_string(block));
         };
         assert_string_equal(failure_of([&] { parallel_blocks(2, 2, both); }).c_str(), "0");
-        const auto poll = [](std::int64_t) { throw std::runtime_error("stopped"); };
+        const Answering stop([] { throw std::runtime_error("stopped"); });
         const auto nothing = [](std::int64_t) {};
-        assert_string_equal(failure_of([&] { parallel_blocks(1000, 2, nothing, poll); }).c_str(),
-                            "stopped");
+        assert_string_equal(
+            failure_of([&] { parallel_blocks(1000, 2, nothing, Stage::map); }).c_str(), "stopped");
         check_loop(10, 2);
     }
 }
 
-void poll_is_called(void**) {
+void progress_is_reported(void**) {
     const SharedThreads threads;
+    const auto nothing = [](std::int64_t) {};
     for (int times = 0; times < 300; ++times) {
-        int polls = 0;
-        parallel_blocks(
-            100, 2, [](std::int64_t) {}, [&](std::int64_t) { ++polls; });
-        assert_true(polls > 0);
+        assert_true(testing::checkpoints_of([&] { parallel_blocks(100, 2, nothing, Stage::map); }) >
+                    0);
         if (times % 10 == 0)
             std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
+    assert_int_equal(testing::checkpoints_of([&] { parallel_blocks(100, 2, nothing); }), 0);
 }
 
-/// Of two endless blocks, only the caller's runs the poll, but both end.
-void a_poll_within_a_block_stops_the_others(void**) {
+/// Runs two endless blocks of which only the caller's asks, but both end. `block`: runs within each
+/// of them until a checkpoint ends it.
+void check_endless(const std::function<void()>& block) {
     std::atomic<int> here{0}, ended{0};
-    int polls = 0;
     const auto endless = [&](std::int64_t) {
         ++here;
         while (here < 2)
@@ -133,24 +135,32 @@ void a_poll_within_a_block_stops_the_others(void**) {
             std::atomic<int>& ended;
             ~Count() { ++ended; }
         } count{ended};
-        for (;;)
-            poll_within_block();
+        block();
     };
-    const auto poll = [&](std::int64_t done) {
-        assert_int_equal(done, 0);
-        if (++polls == 100)
+    int asked = 0;
+    const Answering stop([&] {
+        if (++asked == 100)
             throw std::runtime_error("stopped");
-    };
-    const SharedThreads threads;
-    assert_string_equal(failure_of([&] { parallel_blocks(2, 2, endless, poll); }).c_str(),
+    });
+    assert_string_equal(failure_of([&] { parallel_blocks(2, 2, endless, Stage::map); }).c_str(),
                         "stopped");
-    assert_int_equal(polls, 100);
+    assert_int_equal(asked, 100);
     assert_int_equal(ended, 2);
+}
+
+void a_checkpoint_within_a_block_stops_the_others(void**) {
+    const SharedThreads threads;
+    const auto endless = [] {
+        for (;;)
+            stltsa::checkpoint();
+    };
+    check_endless(endless);
     check_loop(10, 2);
-    // Without a poll, and outside a loop, nothing happens.
-    parallel_blocks(3, 1, [](std::int64_t) { poll_within_block(); });
-    poll_within_block();
-    assert_int_equal(polls, 100);
+    check_endless([&] { parallel_blocks(2, 2, [&](std::int64_t) { endless(); }); });
+    check_loop(10, 2);
+    // If nobody answers, nothing happens.
+    parallel_blocks(3, 1, [](std::int64_t) { stltsa::checkpoint(); });
+    stltsa::checkpoint();
 }
 
 void loops_within_loops(void**) {
@@ -160,12 +170,12 @@ void loops_within_loops(void**) {
     assert_non_null(SharedThreads::available_pool());
     std::atomic<int> count{0};
     const auto inner = [&](std::int64_t) { ++count; };
+    const Answering again([&] {
+        assert_null(SharedThreads::available_pool()); // it is busy
+        check_loop(10, 2);
+    });
     parallel_blocks(
-        8, 2, [&](std::int64_t) { parallel_blocks(10, 2, inner); },
-        [&](std::int64_t) {
-            assert_null(SharedThreads::available_pool()); // it is busy
-            check_loop(10, 2);
-        });
+        8, 2, [&](std::int64_t) { parallel_blocks(10, 2, inner); }, Stage::map);
     assert_int_equal(count, 80);
     assert_non_null(SharedThreads::available_pool());
 }
@@ -178,8 +188,8 @@ int main() {
         cmocka_unit_test(threads_are_shared),
         cmocka_unit_test(each_loop_starts_its_own_threads),
         cmocka_unit_test(the_lowest_failure_is_thrown),
-        cmocka_unit_test(poll_is_called),
-        cmocka_unit_test(a_poll_within_a_block_stops_the_others),
+        cmocka_unit_test(progress_is_reported),
+        cmocka_unit_test(a_checkpoint_within_a_block_stops_the_others),
         cmocka_unit_test(loops_within_loops),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);

@@ -21,20 +21,20 @@ const std::string channels = "name\ttype\tcomponent\ttracked_point\tunits\tstatu
 void names_of_channels(void**) {
     const TemporaryFolder folder;
     const std::string path = folder.write("a_channels.tsv", "\xEF\xBB\xBF" + channels);
-    assert_true(channel_names(path, {}) ==
+    assert_true(channel_names(path) ==
                 (Names{"time (s)", "Heel_z (mm)", "Heel_x (mm)", "Heel_y (mm)", "Heel_ornt_quat_x",
                        "a5_jntang (deg)"}));
     ASSERT_FAILS(Status::format, "there is no tracked_point",
-                 channel_names(folder.write("b", "name\tcomponent\ttype\n"), {}));
+                 channel_names(folder.write("b", "name\tcomponent\ttype\n")));
     ASSERT_FAILS(Status::format, "has no rows",
-                 channel_names(folder.write("c", channels.substr(0, channels.find('\n'))), {}));
+                 channel_names(folder.write("c", channels.substr(0, channels.find('\n')))));
 }
 
 /// The member of the outermost object, not a text or a member of another that is named so.
 void rates(void**) {
     const TemporaryFolder folder;
     const auto rate = [&](const std::string& json) {
-        return sampling_frequency(folder.write("a.json", json), {});
+        return sampling_frequency(folder.write("a.json", json));
     };
     assert_true(rate("{\"SamplingFrequency\": 60}") == 60);
     assert_true(rate("{\"a\":\"SamplingFrequency\",\n\"SamplingFrequency\" : 59.94,\"b\":1}") ==

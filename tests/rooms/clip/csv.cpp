@@ -385,7 +385,7 @@ void names_are_no_formulas(void**) {
     clip.channel_names = {
         "=HYPERLINK(\"http://x\")", "+1+1", "-2+3", "@SUM(1)", "'=1", "plain", "'s"};
     clip.values = stltsa::Matrix(2, 7);
-    const std::string text = stltsa::clip::find_format("a.csv")->write(clip, {});
+    const std::string text = stltsa::clip::find_format("a.csv")->write(clip);
     const std::string head = text.substr(0, text.find('\n'));
     assert_string_equal(head.c_str(),
                         "\"'=HYPERLINK(\"\"http://x\"\")\",\"'+1+1\",\"'-2+3\",\"'@SUM(1)\","

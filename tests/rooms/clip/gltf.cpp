@@ -107,7 +107,7 @@ struct Glb {
 Glb glb_of(const Clip& clip) {
     const TemporaryFolder folder;
     write(clip, folder.path("a.GLB"));
-    return Glb(read_file(folder.path("a.GLB"), {}));
+    return Glb(read_file(folder.path("a.GLB")));
 }
 
 void check_times(const std::vector<std::vector<double>>& times, const Clip& clip) {
@@ -295,7 +295,7 @@ void points_move_in_the_frames_in_which_they_are_seen(void**) {
 }
 
 void what_the_format_cannot_hold_is_refused(void**) {
-    const auto written = [](const Clip& clip) { find_format(Format::glb)->write(clip, {}); };
+    const auto written = [](const Clip& clip) { find_format(Format::glb)->write(clip); };
     const Clip raw = parse("a,b\n1,2\n3,4\n5,6\n", Format::csv);
     ASSERT_FAILS(Status::unsupported, "name its columns as coordinates of points", written(raw));
     Clip clip = parse(small_bvh, Format::bvh);

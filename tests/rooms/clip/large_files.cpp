@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Large files: reading and writing them can be cancelled.
+#include "checkpoints.hpp"
 #include "clip/testing.hpp"
 
 #include <filesystem>
@@ -12,22 +13,6 @@ namespace {
 
 using namespace clip_testing;
 using namespace stltsa::clip;
-
-/// A progress callback that cancels at its n-th call.
-struct Canceller {
-    int calls; ///< left
-    stltsa::Progress progress() {
-        return {[](void* user, std::int32_t, double) {
-                    return --static_cast<Canceller*>(user)->calls == 0 ? 1 : 0;
-                },
-                this};
-    }
-    ReadOptions options() {
-        ReadOptions made;
-        made.progress = progress();
-        return made;
-    }
-};
 
 std::string repeated(std::string_view row, std::size_t bytes) {
     std::string text;
@@ -47,48 +32,41 @@ void reading_a_large_text_can_be_cancelled(void**) {
     struct Case {
         Format format;
         std::string text, skeleton;
-        int calls;
+        int checkpoints;
     } const cases[] = {{Format::csv, repeated("1,2,3\n", size) + "x\n", "", 2},
                        {Format::bvh, bvh, "", 2},
                        {Format::amc, amc, asf, 2},
                        {Format::amc, amc, large_asf, 50}}; // 48 while the skeleton's file is read
     for (const Case& one : cases) {
-        Canceller canceller{one.calls};
-        auto options = canceller.options();
+        ReadOptions options;
         options.skeleton = one.skeleton;
-        ASSERT_FAILS(Status::cancelled, "cancelled", parse(one.text, one.format, "large", options));
+        ASSERT_FAILS(Status::cancelled, "cancelled", testing::cancel_at(one.checkpoints, [&] {
+                         parse(one.text, one.format, "large", options);
+                     }));
     }
 }
 
-/// Reading the text polls once per mebibyte; then the numbers are copied twice, with two polls
-/// each.
-void reading_wide_rows_polls_to_the_end(void**) {
+/// There is a checkpoint in each mebibyte of the text; then the numbers are copied twice, with two
+/// checkpoints each.
+void reading_wide_rows_has_checkpoints_to_the_end(void**) {
     std::string text = "time";
     for (int c = 0; c < 10000; ++c)
         text += ",c" + std::to_string(c);
     for (int row = 0; row < 900; ++row)
         text += "\n" + std::to_string(row) + repeated(",1", 20000);
-    int polls = 0;
-    ReadOptions options;
-    options.progress = {[](void* user, std::int32_t, double) {
-                            ++*static_cast<int*>(user);
-                            return std::int32_t{0};
-                        },
-                        &polls};
-    assert_int_equal(parse(text, Format::csv, "wide", options).values.cols(), 10000);
-    assert_in_range(polls, (text.size() >> 20) + 4, 1000);
+    const int checkpoints = testing::checkpoints_of(
+        [&] { assert_int_equal(parse(text, Format::csv).values.cols(), 10000); });
+    assert_in_range(checkpoints, (text.size() >> 20) + 4, 1000);
 }
 
-int polls_of_features(const Clip& clip) {
-    int polls = 0;
-    feature_rows(clip, {}, {}, GapRule::fill, [&] { ++polls; });
-    return polls;
+int checkpoints_of_features(const Clip& clip) {
+    return testing::checkpoints_of([&] { feature_rows(clip, {}, {}); });
 }
 
-void features_poll(void**) {
+void features_have_checkpoints(void**) {
     Clip clip = parse(small_bvh, Format::bvh);
     clip.values = stltsa::Matrix(200000, clip.values.cols());
-    assert_in_range(polls_of_features(clip), 40, 1000);
+    assert_in_range(checkpoints_of_features(clip), 40, 1000);
     Clip points;
     points.space = 3;
     points.fps = 100;
@@ -97,29 +75,29 @@ void features_poll(void**) {
         for (std::int64_t c = 0; c < points.values.cols(); ++c)
             points.values(i, c) =
                 static_cast<double>(c * c) + std::sin(0.1 * static_cast<double>(i + c));
-    assert_in_range(polls_of_features(points), 7, 1000);
+    assert_in_range(checkpoints_of_features(points), 7, 1000);
     for (std::int64_t i = 1000; i < 100000; ++i)
         std::fill_n(points.values.row(i), 3, NAN);
-    assert_in_range(polls_of_features(points), 13, 1000); // also while gaps are predicted
+    assert_in_range(checkpoints_of_features(points), 13, 1000); // also while gaps are predicted
 }
 
 void reading_a_large_file_can_be_cancelled(void**) {
     const TemporaryFolder folder;
     const std::string path = folder.write("large.csv", repeated("1,2,3\n", 1 << 20));
-    Canceller canceller{10}; // parsing calls it once
-    ASSERT_FAILS(Status::cancelled, "cancelled", read(path, canceller.options()));
+    // Parsing has one.
+    ASSERT_FAILS(Status::cancelled, "cancelled", testing::cancel_at(10, [&] { read(path, {}); }));
 }
 
 void reading_a_large_array_can_be_cancelled(void**) {
     Clip clip;
     clip.values = stltsa::Matrix(1 << 21, 2);
-    const std::string bytes = find_format(Format::npy)->write(clip, {});
-    Canceller canceller{3}; // twice while numbers are converted, once while they are checked
+    const std::string bytes = find_format(Format::npy)->write(clip);
+    // Two while numbers are converted, one while they are checked.
     ASSERT_FAILS(Status::cancelled, "cancelled",
-                 parse(bytes, Format::npy, "large", canceller.options()));
+                 testing::cancel_at(3, [&] { parse(bytes, Format::npy); }));
 }
 
-/// The clips are large enough for that many polls.
+/// The clips are large enough for that many checkpoints.
 void making_a_large_text_can_be_cancelled(void**) {
     const TemporaryFolder folder;
     ReadOptions options;
@@ -127,11 +105,11 @@ void making_a_large_text_can_be_cancelled(void**) {
     for (Clip clip : {parse(small_bvh, Format::bvh), parse(small_amc, Format::amc, options)}) {
         clip.values = stltsa::Matrix(200000, clip.values.cols());
         for (const Format format : {clip.format, Format::csv, Format::bvh, Format::glb}) {
-            // GLB polls once for each joint; from AMC to BVH, rotations are converted first.
+            // GLB has a checkpoint for each joint; from AMC to BVH, rotations are converted first.
             const bool converted = clip.format == Format::amc && format == Format::bvh;
-            Canceller canceller{format == Format::glb ? 3 : converted ? 80 : 10};
+            const int n = format == Format::glb ? 3 : converted ? 80 : 10;
             ASSERT_FAILS(Status::cancelled, "cancelled",
-                         find_format(format)->write(clip, canceller.progress()));
+                         testing::cancel_at(n, [&] { find_format(format)->write(clip); }));
         }
     }
 }
@@ -141,9 +119,8 @@ void writing_a_large_file_can_be_cancelled(void**) {
     Clip clip;
     clip.fps = 100;
     clip.values = stltsa::Matrix(1 << 19, 1); // 4 MiB
-    Canceller canceller{4};
     ASSERT_FAILS(Status::cancelled, "cancelled",
-                 write(clip, folder.path("a.npy"), canceller.progress()));
+                 testing::cancel_at(4, [&] { write(clip, folder.path("a.npy")); }));
     assert_true(std::filesystem::is_empty(folder.path("")));
 }
 
@@ -154,9 +131,8 @@ void cancelling_removes_what_was_written_and_keeps_the_link(void**) {
     options.skeleton = folder.write("small.asf", small_asf);
     const Clip clip = parse(small_amc, Format::amc, options);
     std::filesystem::create_symlink("target", folder.path("a.asf"));
-    Canceller canceller{2};
     ASSERT_FAILS(Status::cancelled, "cancelled",
-                 write(clip, folder.path("a.amc"), canceller.progress()));
+                 testing::cancel_at(2, [&] { write(clip, folder.path("a.amc")); }));
     assert_true(std::filesystem::is_symlink(folder.path("a.asf")));
     assert_false(std::filesystem::exists(folder.path("target")));
     assert_false(std::filesystem::exists(folder.path("a.amc")));
@@ -167,8 +143,8 @@ void cancelling_removes_what_was_written_and_keeps_the_link(void**) {
 int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(reading_a_large_text_can_be_cancelled),
-        cmocka_unit_test(reading_wide_rows_polls_to_the_end),
-        cmocka_unit_test(features_poll),
+        cmocka_unit_test(reading_wide_rows_has_checkpoints_to_the_end),
+        cmocka_unit_test(features_have_checkpoints),
         cmocka_unit_test(reading_a_large_file_can_be_cancelled),
         cmocka_unit_test(reading_a_large_array_can_be_cancelled),
         cmocka_unit_test(making_a_large_text_can_be_cancelled),

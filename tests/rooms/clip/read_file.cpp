@@ -9,6 +9,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/progress.hpp"
+#include "checkpoints.hpp"
 #include "clip/testing.hpp"
 
 namespace {
@@ -62,6 +64,7 @@ void signals_do_not_end_reading(void**) {
     const std::string pipe = folder.path("slow.csv");
     assert_int_equal(mkfifo(pipe.c_str(), 0600), 0);
     const SlowWriter writer(pipe);
+    const stltsa::Call call(stltsa::Call::Asked{});
     const Clip clip = stltsa::clip::read(pipe, {});
     assert_int_equal(clip.frames(), 3);
     assert_true(clip.values(2, 1) == 6);
@@ -74,14 +77,9 @@ void a_wait_for_a_writer_can_be_cancelled(void**) {
     assert_int_equal(mkfifo(pipe.c_str(), 0600), 0);
     for (const bool opened : {false, true}) {
         const int writer = opened ? ::open(pipe.c_str(), O_RDWR) : -1;
-        int calls = 0;
-        stltsa::clip::ReadOptions options;
-        options.progress =
-            stltsa::Progress([](void* count, std::int32_t,
-                                double) { return ++*static_cast<int*>(count) == 3 ? 1 : 0; },
-                             &calls);
         ::alarm(20);
-        ASSERT_FAILS(Status::cancelled, "cancelled", stltsa::clip::read(pipe, options));
+        ASSERT_FAILS(Status::cancelled, "cancelled",
+                     testing::cancel_at(3, [&] { stltsa::clip::read(pipe, {}); }));
         ::alarm(0);
         ::close(writer);
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Files whose writers or readers end early.
+#include "checkpoints.hpp"
 #include "clip/testing.hpp"
 
 #include <chrono>
@@ -46,7 +47,7 @@ extern "C" int rename(const char* from, const char* to) noexcept {
 namespace {
 
 std::string content_of(const std::string& path) {
-    return read_file(path, {});
+    return read_file(path);
 }
 
 std::int64_t files_in(const std::string& folder) {
@@ -137,23 +138,14 @@ void a_wait_for_a_reader_can_be_cancelled(void**) {
     ::alarm(20);
     for (const bool opened : {false, true}) {
         const int reader = opened ? ::open(path.c_str(), O_RDONLY | O_NONBLOCK) : -1;
-        const int most = opened ? 20 : 3; // calls; the last ones wait
-        int calls = 0;
-        const auto write = [&] {
-            write_file(
-                path, [&](const stltsa::Sink& sink) { sink(bytes); },
-                [&] {
-                    if (++calls == most)
-                        stltsa::fail(Status::cancelled, "enough");
-                });
-        };
-        ASSERT_FAILS(Status::cancelled, "enough", write());
+        ASSERT_FAILS(Status::cancelled, "cancelled",
+                     testing::cancel_at(3, [&] { write_file(path, bytes); }));
         ::close(reader);
     }
     ::alarm(0);
 }
 
-/// The callback is called before each piece.
+/// There is a checkpoint before each wait.
 void a_slow_reader_gets_all_bytes(void**) {
     const TemporaryFolder folder;
     const std::string path = folder.path("pipe");
@@ -166,12 +158,10 @@ void a_slow_reader_gets_all_bytes(void**) {
         std::this_thread::sleep_for(std::chrono::milliseconds(300));
         received = content_of(path);
     });
-    int calls = 0;
-    write_file(
-        path, [&](const stltsa::Sink& sink) { sink(bytes); }, [&] { ++calls; });
+    const int checkpoints = testing::checkpoints_of([&] { write_file(path, bytes); });
     reader.join();
     assert_true(received == bytes);
-    assert_true(calls >= 256);
+    assert_true(checkpoints >= 3);
 }
 
 void the_bytes_are_on_the_disk_before_the_name(void**) {

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "base/random.hpp"
+#include "checkpoints.hpp"
 #include "linalg/arpack.hpp"
 #include "linalg/blas_threads.hpp"
 #include "linalg/eigen.hpp"
@@ -92,7 +93,7 @@ void the_start_vector_decides(void**) {
             std::fill(x.begin(), x.end(), 0.0);
             std::fill_n(x.begin(), entries, 1.0);
         };
-        return stltsa::largest_eigenpairs(two_ranges, 400, start, 2, [] {}).values[0];
+        return stltsa::largest_eigenpairs(two_ranges, 400, start, 2).values[0];
     };
     ASSERT_NEAR(largest(400), 4, 1e-8);
     ASSERT_NEAR(largest(200), 1, 1e-8);
@@ -108,7 +109,7 @@ void check_diagonal(std::int64_t entries, const Value& value, double rounding) {
     };
     const auto start = [](std::span<double> x) { std::fill(x.begin(), x.end(), 1.0); };
     constexpr std::int64_t wanted = 4;
-    const auto pairs = stltsa::largest_eigenpairs(apply, entries, start, wanted, [] {});
+    const auto pairs = stltsa::largest_eigenpairs(apply, entries, start, wanted);
     for (std::int64_t j = 0; j < wanted; ++j) {
         const double found = pairs.values[static_cast<std::size_t>(j)];
         ASSERT_NEAR(found / value(j), 1, 10 * rounding);
@@ -144,21 +145,23 @@ void small_eigenvalues_are_found_beside_large_ones(void**) {
 
 struct Stop {};
 
-/// ARPACK serves one thread at a time; a waiting thread polls, and can be cancelled.
+/// ARPACK serves one thread at a time; a waiting thread can be cancelled.
 void a_waiting_thread_can_be_stopped(void**) {
     const auto start = [](std::span<double> x) { std::fill(x.begin(), x.end(), 1.0); };
     bool stopped = false;
     const auto wait = [&] {
+        const testing::Answering stop([] { throw Stop{}; });
         try {
-            stltsa::largest_eigenpairs(two_ranges, 400, start, 2, [] { throw Stop{}; });
+            stltsa::largest_eigenpairs(two_ranges, 400, start, 2);
         } catch (const Stop&) {
             stopped = true;
         }
     };
-    const auto pairs = stltsa::largest_eigenpairs(two_ranges, 400, start, 2, [&] {
+    const testing::Answering beside([&] {
         if (!stopped)
             std::thread(wait).join();
     });
+    const auto pairs = stltsa::largest_eigenpairs(two_ranges, 400, start, 2);
     assert_true(stopped);
     ASSERT_NEAR(pairs.values[0], 4, 1e-8);
 }

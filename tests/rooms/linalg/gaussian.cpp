@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-#include "../cancelling.hpp"
-#include "base/error.hpp"
+#include "../checkpoints.hpp"
 #include "linalg/gaussian.hpp"
 
 namespace {
@@ -27,41 +26,35 @@ void check_same_bits(const Matrix& a, const Matrix& b) {
                         static_cast<std::size_t>(a.rows() * a.cols()) * sizeof(double));
 }
 
-void polls_do_not_change_the_result(void**) {
+void checkpoints_do_not_change_the_result(void**) {
     const Matrix x = waves(4000, 8);
-    int polls = 0;
-    const auto poll = [&] { ++polls; };
     const Matrix plain = stltsa::gaussian_smoothed(x.view(), 200, Beyond::reflection);
-    const Matrix polled = stltsa::gaussian_smoothed(x.view(), 200, Beyond::reflection, 1, poll);
-    check_same_bits(plain, polled);
-    // 4000 rows of 1601 weights and 8 columns: 51 million products, 4 million for each poll.
-    assert_in_range(polls, 10, 20);
-    polls = 0;
+    // 4000 rows of 1601 weights and 8 columns: 51 million products, 4 million for each checkpoint.
+    assert_in_range(testing::checkpoints_of([&] {
+                        check_same_bits(
+                            plain, stltsa::gaussian_smoothed(x.view(), 200, Beyond::reflection));
+                    }),
+                    10, 20);
     Matrix in_place = waves(4000, 8);
-    stltsa::smooth_in_place(in_place, 200, Beyond::reflection, poll);
+    assert_in_range(testing::checkpoints_of(
+                        [&] { stltsa::smooth_in_place(in_place, 200, Beyond::reflection); }),
+                    10, 20);
     check_same_bits(in_place, plain);
-    assert_in_range(polls, 10, 20);
 }
 
-void a_poll_that_throws_ends_it(void**) {
-    // Without a poll this takes minutes: 400 000 products for each of 16 million numbers.
+void a_checkpoint_that_throws_ends_it(void**) {
+    // Without checkpoints this takes minutes: 400 000 products for each of 16 million numbers.
     const Matrix x = waves(400'000, 40);
-    int polls = 0;
-    const auto stop = [&] {
-        if (++polls == 3)
-            stltsa::fail(stltsa::Status::cancelled, "enough");
-    };
-    assert_true(testing::is_cancelled(
-        [&] { stltsa::gaussian_smoothed(x.view(), 50'000, Beyond::reflection, 1, stop); }));
-    assert_int_equal(polls, 3);
+    assert_true(testing::ends_at(
+        3, [&] { stltsa::gaussian_smoothed(x.view(), 50'000, Beyond::reflection); }));
 }
 
 } // namespace
 
 int main() {
     const CMUnitTest tests[] = {
-        cmocka_unit_test(polls_do_not_change_the_result),
-        cmocka_unit_test(a_poll_that_throws_ends_it),
+        cmocka_unit_test(checkpoints_do_not_change_the_result),
+        cmocka_unit_test(a_checkpoint_that_throws_ends_it),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

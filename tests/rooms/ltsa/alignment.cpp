@@ -2,6 +2,7 @@
 // Compares the alignment matrix B, applied and factored in its unknowns, with its definition.
 #include <algorithm>
 
+#include "../checkpoints.hpp"
 #include "linalg/panel.hpp"
 #include "linalg/simd.hpp"
 #include "ltsa/alignment/alignment.hpp"
@@ -108,23 +109,25 @@ void check_alignment(const Alignment& alignment, std::int64_t k, int d) {
     check_near(out, in, 1e-6, k, d); // B is ill-conditioned
 }
 
-using MakeAlignment = std::unique_ptr<Alignment> (*)(const Patches&, const Machine&,
-                                                     const std::function<void()>&);
+using MakeAlignment = std::unique_ptr<Alignment> (*)(const Patches&, const Machine&);
 
-/// `polls`: at least so many while the matrix is assembled.
+/// `checkpoints`: at least so many while the matrix is assembled.
 void check_alignment_of(MakeAlignment make, const Matrix& x, const Neighborhoods& found, int d,
-                        int polls = 0) {
+                        int checkpoints = 0) {
     stltsa::ltsa::Parameters parameters;
     parameters.neighbors = parameters.window = found.size;
     parameters.dimension = d;
-    const auto tangents = local_tangents(x.view(), found, parameters, {});
+    const auto tangents = local_tangents(x.view(), found, parameters);
     const auto components = connected_components(found, {});
     assert_int_equal(components.count, 1);
     const Patches patches(found, tangents, components, 0, d, {stltsa::widest_simd(), 3});
     for (const Simd simd : instruction_sets()) {
-        int polled = 0;
-        check_alignment(*make(patches, {simd, 1}, [&] { ++polled; }), found.size, d);
-        assert_in_range(polled, polls, 1000);
+        std::unique_ptr<Alignment> alignment;
+        assert_in_range(testing::checkpoints_of([&] {
+                            alignment = make(patches, {simd, 1});
+                        }),
+                        checkpoints, 1000);
+        check_alignment(*alignment, found.size, d);
     }
 }
 
@@ -173,7 +176,7 @@ void residuals_are_orthogonal_to_directions(void**) {
     const Neighborhoods found = neighborhoods(x.rows(), k, false);
     stltsa::ltsa::Parameters parameters;
     parameters.neighbors = parameters.window = k;
-    const auto tangents = local_tangents(x.view(), found, parameters, {});
+    const auto tangents = local_tangents(x.view(), found, parameters);
     const auto components = connected_components(found, {});
     const Patches patches(found, tangents, components, 0, d, {});
     for (std::int64_t p = 0; p < patches.count(); ++p) {

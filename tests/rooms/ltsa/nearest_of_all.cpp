@@ -48,7 +48,7 @@ Lists found(const Matrix& x, NearestOfAll wanted) {
     wanted.store = [&](std::int64_t row, std::vector<Candidate> nearest) {
         lists[static_cast<std::size_t>(row)] = std::move(nearest);
     };
-    find_nearest_of_all(x.view(), wanted, [](double) {});
+    find_nearest_of_all(x.view(), wanted);
     return lists;
 }
 

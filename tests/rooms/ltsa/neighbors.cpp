@@ -89,7 +89,7 @@ std::vector<Matrix> frames_for(const Case& c) {
 void neighbors_are_the_nearest_of_the_window(void**) {
     for (const Case& c : cases)
         for (const Matrix& x : frames_for(c))
-            check(c, x, temporal_neighbors(x.view(), c.lengths, parameters_of(c), {}));
+            check(c, x, temporal_neighbors(x.view(), c.lengths, parameters_of(c)));
 }
 
 void one_pass_finds_the_same_neighbors_and_tangents(void**) {
@@ -97,9 +97,9 @@ void one_pass_finds_the_same_neighbors_and_tangents(void**) {
         for (const Matrix& x : frames_for(c)) {
             const Parameters parameters = parameters_of(c);
             Neighborhoods found;
-            const Tangents tangents = temporal_tangents(x.view(), c.lengths, parameters, {}, found);
+            const Tangents tangents = temporal_tangents(x.view(), c.lengths, parameters, found);
             check(c, x, found);
-            const Tangents again = local_tangents(x.view(), found, parameters, {});
+            const Tangents again = local_tangents(x.view(), found, parameters);
             assert_true(tangents.rank == again.rank);
             assert_int_equal(tangents.g.size(), again.g.size());
             for (std::size_t i = 0; i < again.g.size(); ++i)

@@ -35,7 +35,7 @@ Parameters parameters_of(Mode mode, std::int64_t size) {
 
 Model fitted(const Matrix& x, const Parameters& parameters) {
     const std::int64_t lengths[] = {x.rows()};
-    return fit(x.view(), lengths, parameters, {});
+    return fit(x.view(), lengths, parameters);
 }
 
 bool same_bits(const double* a, const double* b, std::int64_t count) {

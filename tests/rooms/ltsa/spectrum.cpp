@@ -47,7 +47,7 @@ stltsa::ltsa::Model fitted(const Matrix& x, int dimension, std::int64_t neighbor
     parameters.neighbors = parameters.window = neighbors;
     parameters.dimension = dimension;
     const std::int64_t lengths[] = {x.rows()};
-    return fit(x.view(), lengths, parameters, {});
+    return fit(x.view(), lengths, parameters);
 }
 
 /// The spectrum of noise falls slowly: after one solve with ARPACK's vectors, the first correction
@@ -91,7 +91,7 @@ void the_error_is_unknown_if_corrections_do_not_converge(void**) {
     parameters.dimension = 1;
     parameters.include_self = false;
     const std::int64_t lengths[] = {x.rows()};
-    const auto model = fit(x.view(), lengths, parameters, {});
+    const auto model = fit(x.view(), lengths, parameters);
     assert_true(model.components[0].error_estimate == stltsa::ltsa::unknown_error);
 }
 

@@ -48,7 +48,7 @@ Tangents tangents_of(const Matrix& x, std::int64_t size, int dimension, Simd sim
     parameters.neighbors = parameters.window = size;
     parameters.dimension = dimension;
     parameters.simd = simd;
-    return local_tangents(x.view(), windows(x.rows(), size), parameters, {});
+    return local_tangents(x.view(), windows(x.rows(), size), parameters);
 }
 
 /// Residual of LAPACK's tangents outside the computed ones, over all windows. Needs well-separated

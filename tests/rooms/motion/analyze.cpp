@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whole recordings: what is found of cycles, repetitions, actions and rests that were put in.
+#include "../checkpoints.hpp"
 #include "recordings.hpp"
 
 #include <algorithm>
@@ -168,7 +169,7 @@ void the_number_of_segments_may_be_given(void**) {
     Options options;
     const auto count = [&](std::int64_t wanted) {
         options.segments = wanted;
-        const Recording found = analyze(samples.view(), fps, options, Progress());
+        const Recording found = analyze(samples.view(), fps, options);
         check_cover(found, samples);
         return static_cast<std::int64_t>(moving_kinds(found).size());
     };
@@ -202,8 +203,7 @@ void many_segments_are_found_between_rests(void**) {
     Options options;
     for (const std::int64_t wanted : {43, 46, 49, 52}) {
         options.segments = wanted;
-        assert_int_equal(moving_kinds(analyze(samples.view(), fps, options, Progress())).size(),
-                         wanted);
+        assert_int_equal(moving_kinds(analyze(samples.view(), fps, options)).size(), wanted);
     }
 }
 
@@ -241,9 +241,9 @@ void a_swaying_body_rests(void**) {
                                .action(8, 6, 0.003)
                                .samples(0);
     Options options;
-    assert_false(moving_kinds(analyze(samples.view(), fps, options, Progress())).empty());
+    assert_false(moving_kinds(analyze(samples.view(), fps, options)).empty());
     options.size = 1;
-    const Recording found = analyze(samples.view(), fps, options, Progress());
+    const Recording found = analyze(samples.view(), fps, options);
     assert_true(moving_kinds(found).empty());
     check_cover(found, samples);
 }
@@ -257,7 +257,7 @@ void cycles_of_a_crop_begin_at_the_same_half(void**) {
         samples(i, 1) *= 0.4; // on a circle, any direction would do
     const Recording whole = answer(samples);
     for (const std::int64_t first : {7, 16, 24}) {
-        const Recording crop = analyze(samples.view().block(first, 1300), fps, {}, Progress());
+        const Recording crop = analyze(samples.view().block(first, 1300), fps, {});
         assert_int_equal(crop.cycles.size(), 39);
         for (const Cycle& cycle : crop.cycles) {
             const double begin = cycle.begin + static_cast<double>(first);
@@ -287,7 +287,7 @@ void no_cycle_is_lost_at_the_ends(void**) {
     for (const double seconds : {0.0, 0.25, 0.5, 0.75}) {
         const auto lead = static_cast<std::int64_t>(std::lround(seconds * fps));
         const Matrix samples = Recorder().cycles(41, 1, 0).samples(0);
-        const Recording found = analyze(samples.view().block(lead, 1200), fps, {}, Progress());
+        const Recording found = analyze(samples.view().block(lead, 1200), fps, {});
         assert_true(found.cycles.size() >= 39);
     }
 }
@@ -306,7 +306,7 @@ void a_hole_takes_no_cycle_beside_it(void**) {
                 bridged(begin + i, c) =
                     std::lerp(samples(begin - 1, c), samples(begin + length, c),
                               static_cast<double>(i + 1) / static_cast<double>(length + 1));
-        const Recording found = analyze(bridged.view(), fps, options, Progress());
+        const Recording found = analyze(bridged.view(), fps, options);
         // The hole touches two cycles; one more is lost if the cycles after it begin half a cycle
         // later.
         assert_true(found.cycles.size() + 3 >= whole.cycles.size());
@@ -323,7 +323,7 @@ void numbers_too_large_are_refused(void**) {
         for (std::int64_t c = 0; c < samples.cols(); ++c)
             samples(i, c) *= 1e300;
     try {
-        analyze(samples.view(), fps, {}, Progress());
+        analyze(samples.view(), fps, {});
         assert_true(false);
     } catch (const stltsa::Error& error) {
         assert_true(error.status() == stltsa::Status::not_finite);
@@ -337,8 +337,8 @@ void tiny_numbers_are_as_good_as_others(void**) {
     for (std::int64_t i = 0; i < tiny.rows(); ++i)
         for (std::int64_t c = 0; c < tiny.cols(); ++c)
             tiny(i, c) = std::ldexp(tiny(i, c), -520);
-    const Recording want = analyze(samples.view(), fps, {}, Progress());
-    const Recording got = analyze(tiny.view(), fps, {}, Progress());
+    const Recording want = analyze(samples.view(), fps, {});
+    const Recording got = analyze(tiny.view(), fps, {});
     assert_true(want.cycles.size() > 3);
     assert_int_equal(got.cycles.size(), want.cycles.size());
     for (std::size_t i = 0; i < got.cycles.size(); ++i)
@@ -348,17 +348,7 @@ void tiny_numbers_are_as_good_as_others(void**) {
 
 void it_can_be_cancelled(void**) {
     const Matrix samples = Recorder().cycles(200, 1, 0).samples();
-    int calls = 0;
-    const auto stop = [](void* user, std::int32_t, double) {
-        return static_cast<std::int32_t>(++*static_cast<int*>(user) >= 10);
-    };
-    try {
-        analyze(samples.view(), fps, {}, Progress(stop, &calls));
-        assert_true(false);
-    } catch (const stltsa::Error& error) {
-        assert_true(error.status() == stltsa::Status::cancelled);
-    }
-    assert_int_equal(calls, 10);
+    assert_true(testing::ends_at(10, [&] { analyze(samples.view(), fps, {}); }));
 }
 
 } // namespace

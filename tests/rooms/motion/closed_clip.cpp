@@ -23,9 +23,7 @@ Signal played(std::int64_t count, double period = rows, double first = 0) {
 }
 
 std::optional<CyclicStretch> closed(const Signal& signal, const PeriodRange& periods = {}) {
-    const Progress none;
-    RowProgress progress(none, signal.rows());
-    return closed_cycle(signal, periods, progress);
+    return closed_cycle(signal, periods);
 }
 
 /// It does not matter where in the cycle the clip begins.

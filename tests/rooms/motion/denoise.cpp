@@ -29,7 +29,7 @@ Matrix noisy_columns(std::int64_t rows) {
 
 Denoised denoised(const Matrix& coords, const std::vector<std::int64_t>& lengths,
                   const DenoiseOptions& options = {}) {
-    return denoise(coords.view(), lengths, options, {});
+    return denoise(coords.view(), lengths, options);
 }
 
 /// Checks equation (1), as in the paper, for one column.

@@ -18,7 +18,7 @@ Stretch steady(std::int64_t begin, std::int64_t end, double period) {
 }
 
 Growth grown(const Signal& signal, const Stretch& stretch) {
-    return grow(signal, stretch, {0, signal.rows()}, [] {});
+    return grow(signal, stretch, {0, signal.rows()});
 }
 
 void the_phase_follows_the_tempo(void**) {
@@ -48,7 +48,7 @@ void it_grows_to_the_end_of_the_motion(void**) {
     ASSERT_NEAR(static_cast<double>(found.run.begin), 300, 8);
     ASSERT_NEAR(static_cast<double>(found.run.end()), 660, 8);
     // Never beyond the rows that are free.
-    const Growth within = grow(signal, steady(390, 540, fps), {350, 600}, [] {});
+    const Growth within = grow(signal, steady(390, 540, fps), {350, 600});
     assert_true(within.run.begin == 350 && within.run.end() == 600);
 }
 
@@ -95,7 +95,7 @@ void what_is_unlike_the_mean_deviates(void**) {
 
 void too_few_rows_have_no_phase(void**) {
     const Signal signal = signal_of(Recorder().cycles(6, 1, 0).samples(0));
-    const Growth found = grow(signal, steady(30, 34, fps), {30, 34}, [] {});
+    const Growth found = grow(signal, steady(30, 34, fps), {30, 34});
     assert_int_equal(found.run.rows(), 0);
     assert_true(found.turns() == 0);
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "../checkpoints.hpp"
 #include "motion/behaviors/behaviors.hpp"
 #include "motion/behaviors/change_points.hpp"
 #include "motion/behaviors/grouping.hpp"
@@ -111,10 +112,7 @@ void the_curve_keeps_phase_and_sign(void**) {
     const Signal signal = make_signal(samples.view(), fps, 0, 0);
     const Rows all{0, signal.rows()};
     const Stretch stretch{all, std::vector<double>(static_cast<std::size_t>(all.end), fps), 1};
-    const Progress none;
-    RowProgress progress(none, signal.rows());
-    const PhaseCurve whole =
-        trace_phase(signal, grow(signal, stretch, all, progress.poll()), progress);
+    const PhaseCurve whole = trace_phase(signal, grow(signal, stretch, all));
     assert_true(whole.typical_cyclicity() > 0.95);
     const auto height = std::ranges::max(whole.curve);
     for (std::size_t i = samples_per_period; i < whole.curve.size(); ++i) {
@@ -189,42 +187,30 @@ void unequal_steps_are_unequal(void**) {
     assert_true(halves.margin < 0.01);
 }
 
-/// Each step polls while it works on half an hour, in which the motion changes every ten seconds.
-void steps_of_long_recordings_poll(void**) {
+/// Each step has checkpoints while it works on half an hour, in which the motion changes every ten
+/// seconds.
+void steps_of_long_recordings_have_checkpoints(void**) {
     Recorder recorder;
     for (int i = 0; i < 180; ++i)
         recorder.cycles(10, 1 + 0.2 * (i % 3), 3 * (i % 3));
     const Matrix samples = recorder.samples();
-    int polls = 0;
-    const auto poll = [&] { ++polls; };
-    const auto check_polls = [&](int least, const auto& step) {
-        polls = 0;
-        step();
-        assert_in_range(polls, least, 100000);
+    const auto check = [&](int least, const auto& step) {
+        assert_in_range(testing::checkpoints_of(step), least, 100000);
     };
-    const Progress progress(
-        [](void* user, std::int32_t, double) {
-            ++*static_cast<int*>(user);
-            return 0;
-        },
-        &polls);
     Signal signal;
-    check_polls(12, [&] { signal = make_signal(samples.view(), fps, 0, 0, progress); });
+    check(12, [&] { signal = make_signal(samples.view(), fps, 0, 0); });
     const KernelFeatures features(signal);
     std::vector<std::int64_t> borders;
-    check_polls(30, [&] { KernelFeatures(signal, {}, poll); });
-    check_polls(7, [&] { borders = change_points(features, border_price(features), poll); });
-    check_polls(190, [&] { behavior_borders(features, 0, poll); });
-    check_polls(36, [&] { track_period(signal, {0, signal.rows()}, {}, poll); });
-    check_polls(1000, [&] {
-        group(
-            1000, 0.5, [](auto, auto) { return 1.0; }, poll);
-    });
+    check(30, [&] { const KernelFeatures again(signal); });
+    check(7, [&] { borders = change_points(features, border_price(features)); });
+    check(190, [&] { behavior_borders(features, 0); });
+    check(36, [&] { track_period(signal, {0, signal.rows()}, {}); });
+    check(1000, [&] { group(1000, 0.5, [](auto, auto) { return 1.0; }); });
     assert_int_equal(borders.size(), 179);
 }
 
 /// Each repetition is compared with all before it, which takes long if there are thousands.
-void drafts_poll_between_repetitions(void**) {
+void drafts_have_checkpoints_between_repetitions(void**) {
     Recorder recorder;
     for (int i = 0; i < 40; ++i)
         recorder.rest(2).action(1.5, 0);
@@ -233,14 +219,14 @@ void drafts_poll_between_repetitions(void**) {
     const KernelFeatures features(signal);
     const auto rests = find_rests(signal);
     const Pauses pauses = find_pauses(signal, rests);
-    const auto parts =
-        divide(signal, {&features, 0}, {rests, pauses.rests, {}}, {}, Progress());
-    int polls = 0;
-    const auto drafts = make_drafts(signal, parts, pauses, false, [&] { ++polls; });
+    const auto parts = divide(signal, {&features, 0}, {rests, pauses.rests, {}}, {});
+    std::vector<Draft> drafts;
+    const int checkpoints =
+        testing::checkpoints_of([&] { drafts = make_drafts(signal, parts, pauses, false); });
     assert_true(std::ranges::any_of(drafts, [](const Draft& draft) {
         return draft.kind == SegmentKind::repetitions && draft.motions.size() == 40;
     }));
-    assert_in_range(polls, 80, 1000);
+    assert_in_range(checkpoints, 80, 1000);
 }
 
 } // namespace
@@ -255,8 +241,8 @@ int main() {
         cmocka_unit_test(rests_and_motions_between_them),
         cmocka_unit_test(cycles_begin_on_one_side),
         cmocka_unit_test(unequal_steps_are_unequal),
-        cmocka_unit_test(steps_of_long_recordings_poll),
-        cmocka_unit_test(drafts_poll_between_repetitions),
+        cmocka_unit_test(steps_of_long_recordings_have_checkpoints),
+        cmocka_unit_test(drafts_have_checkpoints_between_repetitions),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

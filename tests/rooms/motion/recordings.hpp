@@ -14,7 +14,6 @@
 namespace motion_testing {
 
 using stltsa::Matrix;
-using stltsa::Progress;
 using stltsa::Random;
 using namespace stltsa::motion;
 
@@ -73,7 +72,7 @@ class Recorder {
 };
 
 inline Recording answer(const Matrix& samples) {
-    return analyze(samples.view(), fps, {}, Progress());
+    return analyze(samples.view(), fps, {});
 }
 
 /// The kinds of the segments, without the rests.

@@ -96,7 +96,7 @@ Recording of_body(stltsa::ConstMatrixView samples, std::vector<double> side = {}
     }
     options.forward = true;
     options.side = std::move(side);
-    return analyze(samples, rate, options, Progress());
+    return analyze(samples, rate, options);
 }
 
 /// Cycles and repetitions of all segments.
@@ -204,8 +204,8 @@ void units_of_length_change_nothing(void**) {
         millimeters.size = 2000;
         const Matrix scaled =
             changed(samples, [&](auto i, auto c) { return 1000 * samples(i, c) + 50; });
-        check_same_cycles(analyze(samples.view(), rate, meters, Progress()),
-                          analyze(scaled.view(), rate, millimeters, Progress()), 1e-3);
+        check_same_cycles(analyze(samples.view(), rate, meters),
+                          analyze(scaled.view(), rate, millimeters), 1e-3);
     }
 }
 
@@ -266,7 +266,7 @@ Recording with_strikes(double first, double period, int without) {
                 strikes.begins.push_back((first + turn * period) * rate);
         return std::vector<Strikes>{strikes};
     };
-    return analyze(walk(10, 1.1).view(), rate, options, Progress());
+    return analyze(walk(10, 1.1).view(), rate, options);
 }
 
 void cycles_begin_at_strikes(void**) {

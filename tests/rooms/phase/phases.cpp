@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <complex>
 
+#include "../checkpoints.hpp"
 #include "../motion/testing.hpp"
 #include "phase/phases.hpp"
 #include "phase/resample.hpp"
@@ -229,18 +230,16 @@ void a_cycle_at_the_end_goes_on_at_its_beginning(void**) {
         ASSERT_NEAR(made.mean(s, 0), std::cos(turn * static_cast<double>(s) / 40), 1e-9);
 }
 
-/// Many short sequences together take long, though each is too short to poll after its rows.
-void each_sequence_polls(void**) {
-    const Matrix samples = motion(1200, 0.05, 1);
+/// Each of many short sequences is too short for a checkpoint of its own, but together they take
+/// long.
+void many_short_sequences_have_checkpoints(void**) {
+    const Matrix samples = motion(40'000, 0.05, 1);
     std::vector<Borders> sequences;
-    for (int i = 0; i < 9; ++i)
+    for (int i = 0; i < 300; ++i)
         sequences.push_back(sequence(10 + 130 * i, 1, 0));
-    const auto polls_of = [&](std::size_t count) {
-        int polls = 0;
-        find_phases(samples.view(), rate, {sequences.data(), count}, {}, [&] { ++polls; });
-        return polls;
-    };
-    assert_true(polls_of(9) >= polls_of(2) + 7);
+    assert_in_range(
+        testing::checkpoints_of([&] { find_phases(samples.view(), rate, sequences, {}); }), 10,
+        1000);
 }
 
 } // namespace
@@ -258,7 +257,7 @@ int main() {
         cmocka_unit_test(a_peak_at_the_border_stays_one_peak),
         cmocka_unit_test(cycles_go_from_border_to_border),
         cmocka_unit_test(a_cycle_at_the_end_goes_on_at_its_beginning),
-        cmocka_unit_test(each_sequence_polls),
+        cmocka_unit_test(many_short_sequences_have_checkpoints),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

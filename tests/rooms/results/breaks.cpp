@@ -42,9 +42,9 @@ clip::PrepareOptions plain() {
 }
 
 Fitted fitted(results::Clips clips, const results::FitOptions& options = {}) {
-    results::ClipSamples prepared = results::prepare_clips(clips, plain(), {});
+    results::ClipSamples prepared = results::prepare_clips(clips, plain());
     return results::fit(prepared.samples.view(), prepared.lengths, options, {},
-                        std::move(prepared.source), {});
+                        std::move(prepared.source));
 }
 
 Fitted fitted(const Clip& clip, const results::FitOptions& options = {}) {
@@ -128,7 +128,7 @@ void samples_are_on_their_side_of_a_break(void**) {
     prepare.rate = 10; // every third frame
     const auto runs_of = [&](const Clip& clip) {
         const Clip* only = &clip;
-        return results::prepare_clips({&only, 1}, prepare, {}).lengths.runs;
+        return results::prepare_clips({&only, 1}, prepare).lengths.runs;
     };
     // Frame 198 is sample 66; frame 200 begins another stretch.
     assert_true(runs_of(clip::cut(circles(), {{0, 200}, {350, 600}})) == Lengths({67, 83}));

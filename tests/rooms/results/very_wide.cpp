@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "../assertions.hpp"
+#include "../checkpoints.hpp"
 #include "clip/features/features.hpp"
 #include "linalg/principal.hpp"
 #include "ltsa/neighbors/neighbors.hpp"
@@ -24,8 +25,8 @@ using namespace stltsa;
 
 constexpr std::int64_t rows = 64, cols = 1 << 17;
 constexpr double period = 10;
-/// Numbers between two polls, see PacedPoll.
-constexpr std::int64_t between_polls = 1 << 22;
+/// Numbers between two checkpoints, see checkpoint().
+constexpr std::int64_t between_checks = 1 << 22;
 
 const Matrix& wide() {
     static const Matrix samples = [] {
@@ -39,117 +40,82 @@ const Matrix& wide() {
     return samples;
 }
 
-/// Checks that work(progress, poll) polls at least as often as its passes over the samples require.
+/// Checks that the work has at least as many checkpoints as its passes over the samples require.
 template <class Work>
-void check_polls(double passes, const Work& work) {
-    int polls = 0;
-    const auto count = [](void* user, std::int32_t, double) {
-        ++*static_cast<int*>(user);
-        return std::int32_t{0};
-    };
-    const Progress progress(count, &polls);
-    work(progress, [&] { ++polls; });
-    assert_in_range(polls, static_cast<int>(passes * (rows * cols / between_polls)), 1000000);
+void check(double passes, const Work& work) {
+    assert_in_range(testing::checkpoints_of(work),
+                    static_cast<int>(passes * (rows * cols / between_checks)), 1000000);
 }
 
-void the_search_for_a_period_polls(void**) {
-    check_polls(3, [&](const Progress& progress, auto) {
-        motion::find_period(wide().view(), 30, {}, progress);
-    });
+void the_search_for_a_period_can_be_cancelled(void**) {
+    check(3, [&] { motion::find_period(wide().view(), 30, {}); });
 }
 
-void features_poll(void**) {
+void features_can_be_cancelled(void**) {
     clip::Clip clip;
     clip.values = copied(wide().view());
-    check_polls(3, [&](auto, const auto& poll) {
-        clip::feature_rows(clip, {}, {}, clip::GapRule::fill, poll);
-    });
+    check(3, [&] { clip::feature_rows(clip, {}, {}); });
 }
 
-void choices_poll(void**) {
-    check_polls(20, [&](const Progress& progress, auto) {
-        results::telling_postures(wide().view(), progress);
-    });
-    check_polls(1, [&](auto, const auto& poll) { column_means(wide().view(), poll); });
+void choices_can_be_cancelled(void**) {
+    check(20, [&] { results::telling_postures(wide().view()); });
+    check(1, [&] { column_means(wide().view()); });
 }
 
 /// All frames are one block of the loop.
-void the_search_for_neighbors_polls(void**) {
+void the_search_for_neighbors_can_be_cancelled(void**) {
     ltsa::Parameters parameters;
     parameters.neighbors = parameters.window = 5;
     parameters.threads = 2;
     const std::int64_t length = rows;
-    check_polls(5, [&](const Progress& progress, auto) {
-        ltsa::temporal_neighbors(wide().view(), {&length, 1}, parameters, progress);
-    });
+    check(5, [&] { ltsa::temporal_neighbors(wide().view(), {&length, 1}, parameters); });
 }
 
-void the_phase_polls(void**) {
+void the_phase_can_be_cancelled(void**) {
     motion::Run run{0, {}};
     for (std::int64_t i = 0; i < rows; ++i)
         run.phase.push_back(static_cast<double>(i) / period);
-    check_polls(3, [&](auto, const auto& poll) {
-        motion::pose_and_velocity(wide().view(), 30, period, poll);
-    });
-    check_polls(6, [&](auto, const auto& poll) {
-        motion::fit_loop(wide().view(), {&run, 1}, 3, poll);
-    });
+    check(3, [&] { motion::pose_and_velocity(wide().view(), 30, period); });
+    check(6, [&] { motion::fit_loop(wide().view(), {&run, 1}, 3); });
     motion::MeanCycle mean;
-    check_polls(4 * 2 * 6, [&](auto, const auto& poll) {
-        mean =
-            motion::register_runs(wide().view(), {run}, period, motion::smooth_share, 0, poll).mean;
-    });
-    check_polls(6,
-                [&](auto, const auto& poll) { motion::residuals(wide().view(), mean, run, poll); });
+    check(4 * 2 * 6, [&] { mean = motion::register_runs(wide().view(), {run}, period).mean; });
+    check(6, [&] { motion::residuals(wide().view(), mean, run); });
     const motion::Run middle{10, {run.phase.begin() + 10, run.phase.begin() + 30}};
-    check_polls(6, [&](auto, const auto& poll) {
-        motion::grown(wide().view(), mean, middle, {0, rows}, poll);
-    });
+    check(6, [&] { motion::grown(wide().view(), mean, middle, {0, rows}); });
 }
 
-void events_poll(void**) {
-    check_polls(22,
-                [&](auto, const auto& poll) { phase::FineRows(wide().view(), 60, period, poll); });
+void events_can_be_cancelled(void**) {
+    check(22, [&] { phase::FineRows(wide().view(), 60, period); });
     const phase::Borders borders = {2, 12, 22, 32, 42};
     const phase::Phases phases = phase::find_phases(wide().view(), 30, {&borders, 1}, {});
     const Matrix both = motion::pose_and_velocity(wide().view(), 30, period);
     std::optional<phase::Searched> in;
-    check_polls(26, [&](auto, const auto& poll) {
-        in = phase::searched(wide().view(), both.view(), 30, phases, phases.runs, poll);
-    });
+    check(26, [&] { in = phase::searched(wide().view(), both.view(), 30, phases, phases.runs); });
     const auto places = phase::places_of(*in, {phase::mark_at(*in, 17).value()});
-    check_polls(70, [&](auto, const auto& poll) {
-        in->poll = poll;
-        phase::find_events(*in, places[0]);
-    });
-    check_polls(759, [&](auto, const auto& poll) {
-        in->poll = poll;
-        phase::find_events(*in, places[0], *in);
-    });
+    check(60, [&] { phase::find_events(*in, places[0]); });
+    check(740, [&] { phase::find_events(*in, places[0], *in); });
 }
 
-void comparisons_poll(void**) {
+void comparisons_can_be_cancelled(void**) {
     phase::Resampled cycles;
-    check_polls(27, [&](auto, const auto& poll) {
-        cycles =
-            phase::resample(wide().view(), {phase::times_between({2, 12, 22, 32}, rows), {}}, poll);
+    check(27, [&] {
+        cycles = phase::resample(wide().view(), {phase::times_between({2, 12, 22, 32}, rows), {}});
     });
     const std::vector<std::int64_t> groups(cols, 0);
-    check_polls(
-        370, [&](auto, const auto& poll) { phase::compare(cycles, cycles, groups, false, poll); });
+    check(370, [&] { phase::compare(cycles, cycles, groups, false); });
 }
 
 } // namespace
 
 int main() {
     const CMUnitTest tests[] = {
-        cmocka_unit_test(the_search_for_a_period_polls),
-        cmocka_unit_test(features_poll),
-        cmocka_unit_test(choices_poll),
-        cmocka_unit_test(the_search_for_neighbors_polls),
-        cmocka_unit_test(the_phase_polls),
-        cmocka_unit_test(events_poll),
-        cmocka_unit_test(comparisons_poll),
+        cmocka_unit_test(the_search_for_a_period_can_be_cancelled),
+        cmocka_unit_test(features_can_be_cancelled),
+        cmocka_unit_test(choices_can_be_cancelled),
+        cmocka_unit_test(the_search_for_neighbors_can_be_cancelled),
+        cmocka_unit_test(the_phase_can_be_cancelled),
+        cmocka_unit_test(events_can_be_cancelled),
+        cmocka_unit_test(comparisons_can_be_cancelled),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

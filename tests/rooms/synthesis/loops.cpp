@@ -15,7 +15,7 @@ Synthesis looped(const Clip& clip, std::int64_t begin, std::int64_t end, std::in
                  Options options = {}) {
     options.loop = true;
     const Piece piece{&clip, begin, end, repeat};
-    return synthesize({&piece, 1}, options, {});
+    return synthesize({&piece, 1}, options);
 }
 
 Walk walk_turning(double degrees) {
@@ -72,7 +72,7 @@ void the_wrap_is_the_last_seam(void**) {
     const Piece pieces[] = {{&clip, 100, 160, 1}, {&clip, 300, 420, 1}};
     Options options;
     options.loop = true;
-    const Synthesis two = synthesize(pieces, options, {});
+    const Synthesis two = synthesize(pieces, options);
     assert_int_equal(two.seams.size(), 2);
     assert_true(two.seams[1].piece == 1 && two.seams[1].next == 0);
     assert_int_equal(two.seams[1].frame, two.clip.frames());
@@ -88,7 +88,7 @@ void speeds_change_gradually(void**) {
     const Piece pieces[] = {{&slow, 100, 160, 1}, {&fast, 160, 220, 1}};
     Options options;
     options.loop = true;
-    const Synthesis made = synthesize(pieces, options, {});
+    const Synthesis made = synthesize(pieces, options);
     assert_true(made.seams[1].crossfade > 3);
     double way = 0;
     for (std::int64_t i = 1; i < made.clip.frames(); ++i) {
@@ -167,7 +167,7 @@ void in_place_needs_a_loop(void**) {
     const Piece piece{&clip, 0, 60, 1};
     Options options;
     options.in_place = true;
-    ASSERT_FAILS(stltsa::Status::argument, "option loop", synthesize({&piece, 1}, options, {}));
+    ASSERT_FAILS(stltsa::Status::argument, "option loop", synthesize({&piece, 1}, options));
 }
 
 // ---- The longest loop ----
@@ -193,7 +193,7 @@ Clip arms_rise(std::int64_t cycles, std::int64_t raised, double drift) {
 /// The seam of one cycle is the smallest, because of the drift.
 void the_longest_range_with_a_good_seam(void**) {
     const Clip clip = arms_rise(9, 6, 0.5);
-    const LongestLoop found = longest_loop(clip, cycles_of(9), {}, {});
+    const LongestLoop found = longest_loop(clip, cycles_of(9), {});
     assert_int_equal(found.piece.cycles, 6);
     assert_true(found.piece.begin == 0 && found.piece.end == 6 * period);
     assert_true(contains(found.note, "cycles 1 to 6 of 9"));
@@ -201,16 +201,16 @@ void the_longest_range_with_a_good_seam(void**) {
 
 /// With more than 66 cycles, up to three of a hundred may be missing.
 void of_very_many_cycles_nearly_the_longest(void**) {
-    const LongestLoop all = longest_loop(arms_rise(120, 120, 0), cycles_of(120), {}, {});
+    const LongestLoop all = longest_loop(arms_rise(120, 120, 0), cycles_of(120), {});
     assert_int_equal(all.piece.cycles, 120);
-    const LongestLoop most = longest_loop(arms_rise(120, 97, 0), cycles_of(120), {}, {});
+    const LongestLoop most = longest_loop(arms_rise(120, 97, 0), cycles_of(120), {});
     assert_true(most.piece.cycles <= 97 && most.piece.cycles >= 94);
 }
 
 void cycles_with_something_between_make_no_loop(void**) {
     std::vector<CycleFrames> cycles = cycles_of(9);
     cycles.erase(cycles.begin() + 3);
-    const LongestLoop found = longest_loop(arms_rise(9, 9, 0), cycles, {}, {});
+    const LongestLoop found = longest_loop(arms_rise(9, 9, 0), cycles, {});
     assert_int_equal(found.piece.cycles, 5);
     assert_int_equal(found.piece.begin, 4 * period);
 }
@@ -220,7 +220,7 @@ void the_root_must_meet_as_well(void**) {
     Clip clip = arms_rise(5, 5, 0);
     for (std::int64_t i = 0; i < clip.frames(); ++i)
         clip.values(i, 1) += 0.7 * static_cast<double>(i);
-    const LongestLoop found = longest_loop(clip, cycles_of(5), {}, {});
+    const LongestLoop found = longest_loop(clip, cycles_of(5), {});
     assert_int_equal(found.piece.cycles, 1);
     assert_true(contains(found.note, "no range"));
 }
@@ -230,19 +230,18 @@ void ranges_of_one_height_are_tried_first(void**) {
     Clip clip = arms_rise(20, 20, 0);
     for (std::int64_t i = 0; i < clip.frames(); ++i)
         clip.values(i, 1) -= 0.7 * std::abs(static_cast<double>(i - 12 * period));
-    const LongestLoop found = longest_loop(clip, cycles_of(20), {}, {});
+    const LongestLoop found = longest_loop(clip, cycles_of(20), {});
     assert_int_equal(found.piece.cycles, 16);
     assert_int_equal(found.piece.begin, 4 * period);
 }
 
 void without_cycles_the_whole_clip(void**) {
     const Clip clip = walking({});
-    const LongestLoop found = longest_loop(clip, {}, {}, {});
+    const LongestLoop found = longest_loop(clip, {}, {});
     assert_true(found.piece.begin == 0 && found.piece.end == clip.frames());
     assert_int_equal(found.piece.cycles, 0);
     assert_true(contains(found.note, "no cycle"));
-    ASSERT_FAILS(stltsa::Status::argument, "another clip",
-                 longest_loop(clip, cycles_of(5), {}, {}));
+    ASSERT_FAILS(stltsa::Status::argument, "another clip", longest_loop(clip, cycles_of(5), {}));
 }
 
 } // namespace

@@ -139,14 +139,14 @@ void a_clip_that_stands_still_does_not_choose_the_root(void**) {
     Options options;
     options.posture_limit = 0;
     options.up = Axis::y;
-    const Synthesis made = synthesize(pieces, options, {});
+    const Synthesis made = synthesize(pieces, options);
     for (std::int64_t i = 0; i < made.clip.frames(); ++i)
         for (std::int64_t c = 0; c < world_channels; ++c)
             ASSERT_NEAR(made.clip.values(i, c), still.values(0, c), 0);
     walk.values(100, 3) += 1;
     const Clip other = below_world(walking({}));
     const Piece moved[] = {{&other, 0, 60, 1}, {&walk, 60, 180, 1}};
-    ASSERT_FAILS(stltsa::Status::unsupported, "above", synthesize(moved, options, {}));
+    ASSERT_FAILS(stltsa::Status::unsupported, "above", synthesize(moved, options));
 }
 
 /// A joint that only travels carries the joint that turns: the path is written to the channels of
@@ -162,8 +162,8 @@ void a_translating_joint_carries_the_root(void**) {
         const Piece same[] = {{&carried, 60, 120, 4}};
         Options options;
         options.up = Axis::y;
-        const Synthesis expected = synthesize(pieces, options, {});
-        const Synthesis made = synthesize(same, options, {});
+        const Synthesis expected = synthesize(pieces, options);
+        const Synthesis made = synthesize(same, options);
         assert_int_equal(made.clip.frames(), expected.clip.frames());
         const Matrix a = positions(expected.clip);
         const Matrix b = positions(made.clip);

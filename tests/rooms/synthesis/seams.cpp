@@ -48,7 +48,7 @@ void the_same_posture_is_found(void**) {
         walk.phase = frames / walk.fps;
         const Track later = track_of(walking(walk));
         const Join join = join_of(earlier, 60, 200, later, 100, 300);
-        const Cut cut = find_cut(join, {30, 9, 0.1}, {});
+        const Cut cut = find_cut(join, {30, 9, 0.1});
         // Frame e there is frame b here: e - b frames of phase, up to whole cycles.
         assert_int_equal((cut.end - cut.begin - frames + 600) % 60, 0);
         ASSERT_NEAR(cut.distance, 0, 1e-6);
@@ -62,7 +62,7 @@ void velocities_distinguish_forward_from_backward(void**) {
     walk.seconds = 6;
     const Track track = track_of(walking(walk));
     const Join join = join_of(track, 60, 195, track, 150, 300);
-    const Cut cut = find_cut(join, {14, 0, 0.1}, {});
+    const Cut cut = find_cut(join, {14, 0, 0.1});
     for (std::int64_t end = 195 - 14; end <= 195 + 14; ++end)
         for (std::int64_t begin = 150 - 14; begin <= 150 + 14; ++begin)
             assert_true(cut.distance <=
@@ -81,7 +81,7 @@ void limits_hold_for_any_join(void**) {
         const std::int64_t begin = below(frames);
         Join join{&track, &track, end, begin, 1 + below(end), 1 + below(frames - begin), {}};
         const CutOptions options{below(20), below(20), 0.1};
-        const Cut cut = find_cut(join, options, {});
+        const Cut cut = find_cut(join, options);
         assert_true(std::abs(cut.end - end) <= options.search);
         assert_true(std::abs(cut.begin - begin) <= options.search);
         assert_true(cut.end >= 1 && cut.end <= frames && cut.begin >= 0 && cut.begin < frames);
@@ -107,8 +107,8 @@ void a_crossfade_has_room_if_possible(void**) {
         rising.values(i, 11) -= 0.01 * static_cast<double>(i);
     const Track raised = track_of(rising);
     const Join join = join_of(hanging, 40, 218, raised, 2, 200);
-    assert_int_equal(find_cut(join, {20, 0, 0.1}, {}).begin, 0);
-    assert_int_equal(find_cut(join, {20, 9, 0.1}, {}).crossfade, 9);
+    assert_int_equal(find_cut(join, {20, 0, 0.1}).begin, 0);
+    assert_int_equal(find_cut(join, {20, 9, 0.1}).crossfade, 9);
 }
 
 void a_repetition_keeps_its_length(void**) {
@@ -117,7 +117,7 @@ void a_repetition_keeps_its_length(void**) {
     const Track track = track_of(walking(walk));
     Join join = join_of(track, 60, 130, track, 60, 130); // ten frames more than a cycle
     join.lengths = lengths_repeated(70);
-    const Cut cut = find_cut(join, {40, 0, 0.1}, {});
+    const Cut cut = find_cut(join, {40, 0, 0.1});
     assert_true(std::abs(cut.end - cut.begin - 70) <= 5); // 8 % of 70
 }
 
@@ -145,7 +145,7 @@ void frames_left_out_stay_out(void**) {
         const std::vector<Track> tracks{track, track};
         for (const std::size_t other : {0U, 1U}) { // the same clip, read twice
             const Part parts[] = {{0, 0, 120, 1}, {other, 120 + skip, 240, 1}};
-            const Cut cut = choose_cuts(tracks, parts, make_runs(parts), {}, {})[0].cut;
+            const Cut cut = choose_cuts(tracks, parts, make_runs(parts), {})[0].cut;
             const std::int64_t skipped = cut.begin - cut.end;
             assert_true(skip > 0 ? skipped > 0 : skipped < 0);
             assert_true(2 * std::abs(skipped) >= std::abs(skip));
@@ -164,7 +164,7 @@ void without_a_choice_cuts_stay_where_they_are(void**) {
     Track track = track_of(walking(walk));
     track.first = 3;
     const Join join{&track, &track, 16, 0, 16, 16, lengths_repeated(16)};
-    const Cut cut = find_cut(join, {4, 2, 0.1}, {});
+    const Cut cut = find_cut(join, {4, 2, 0.1});
     assert_true(cut.end == 16 && cut.begin == 0);
 }
 
@@ -177,7 +177,7 @@ void a_t_pose_is_not_blended(void**) {
     assert_true(track.first >= 1 && track.first <= 3);
     const Join join = join_of(track, 60, 180, track, 0, 200);
     for (const std::int64_t search : {0, 4, 8, 25}) {
-        const Cut cut = find_cut(join, {search, 9, 0.1}, {});
+        const Cut cut = find_cut(join, {search, 9, 0.1});
         assert_true(cut.begin - cut.crossfade >= (search == 0 ? 0 : track.first));
     }
     // Not even if the T-pose is the most similar.
@@ -186,7 +186,7 @@ void a_t_pose_is_not_blended(void**) {
         std::copy_n(clip.values.row(0), channels, posing.values.row(i));
     const Track earlier = track_of(posing);
     const Join alike = join_of(earlier, 60, 180, track, 0, 200);
-    assert_true(find_cut(alike, {25, 0, 0}, {}).begin >= track.first);
+    assert_true(find_cut(alike, {25, 0, 0}).begin >= track.first);
 }
 
 // ---- Choice of cuts ----
@@ -204,7 +204,7 @@ void whole_clips_meet_at_any_phase(void**) {
         const std::vector<Track> tracks{track_of(first), track_of(second)};
         const Part parts[] = {{0, 0, 600, 1}, {1, 0, 600, 1}};
         const auto runs = make_runs(parts);
-        const auto cuts = choose_cuts(tracks, parts, runs, {}, {});
+        const auto cuts = choose_cuts(tracks, parts, runs, {});
         assert_int_equal(cuts.size(), 1);
         assert_true(cuts[0].posture < 1);
     }
@@ -214,7 +214,7 @@ void repetitions_have_the_same_cut(void**) {
     const std::vector<Track> tracks{track_of(walking({}))};
     const Part parts[] = {{0, 60, 119, 4}};
     const auto runs = make_runs(parts);
-    const auto cuts = choose_cuts(tracks, parts, runs, {}, {});
+    const auto cuts = choose_cuts(tracks, parts, runs, {});
     assert_int_equal(cuts.size(), 3);
     for (const ChosenCut& chosen : cuts) {
         assert_int_equal(chosen.cut.end - chosen.cut.begin, 60); // a whole cycle, one frame more
@@ -233,7 +233,7 @@ void postures_do_not_depend_on_the_unit(void**) {
     for (int pass = 0; pass < 2; ++pass) {
         const std::vector<Track> tracks{track_of(clip), track_of(other)};
         const Part parts[] = {{0, 0, 120, 1}, {1, 120, 240, 1}};
-        const auto cuts = choose_cuts(tracks, parts, make_runs(parts), {}, {});
+        const auto cuts = choose_cuts(tracks, parts, make_runs(parts), {});
         if (pass > 0)
             ASSERT_NEAR(cuts[0].posture, before, 1e-6 * before);
         before = cuts[0].posture;
@@ -259,7 +259,7 @@ void postures_are_measured_by_repetitions(void**) {
         raised.arms = arms;
         const std::vector<Track> tracks{track_of(clip), track_of(walking(raised))};
         const Part parts[] = {{0, 0, 120, 1}, {1, 120, 240, 1}};
-        const auto cuts = choose_cuts(tracks, parts, make_runs(parts), options, {});
+        const auto cuts = choose_cuts(tracks, parts, make_runs(parts), options);
         if (before > 0)
             ASSERT_NEAR(cuts[0].posture / before, 2, 0.15);
         before = cuts[0].posture;

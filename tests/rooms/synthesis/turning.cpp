@@ -38,7 +38,7 @@ std::pair<double, double> turns(const Clip& clip) {
     const Piece pieces[] = {{&clip, 180, 240, repeats}};
     Options options;
     options.up = Axis::y;
-    const Synthesis made = synthesize(pieces, options, {});
+    const Synthesis made = synthesize(pieces, options);
     assert_int_equal(made.seams.size(), repeats - 1);
     const Body body = body_of(clip);
     const auto turned = [&](const Track& track, std::int64_t begin, std::int64_t end) {
