@@ -1592,6 +1592,60 @@ typedef struct stltsa_piece_fact {
     int64_t repeat;          /* how often it is played */
 } stltsa_piece_fact;
 
+/* ---- Many clips ------------------------------------------------------------------------- */
+
+/* Which clips are decomposed into which files of a folder (docs/batch.md). It does not change, so
+ * threads may run its clips at once, and so may processes and machines that make one with the same
+ * arguments. */
+typedef struct stltsa_batch stltsa_batch;
+
+/* Finds the clips, and creates the folder of the results. The result of a/b.bvh is a__b.bvh.json.
+ *
+ * paths       count files and folders. Folders, and those below them, are searched for files with
+ *             the suffix of a format, even if only the Python package reads it; without hidden
+ *             files, tables that describe recordings of BIDS, and summaries of batches. Sorted,
+ *             each path once.
+ * shard       NULL: all clips; "2/8": every 8th from the 2nd on, for a run on 8 machines
+ * options     those of stltsa_clip_open and stltsa_decompose, copied. fps is used only for clips
+ *             that cannot be read without it or have no rate; threads and progress are not used.
+ *
+ * E_ARGUMENT (there is no clip, two would have one result, a wrong option or shard), E_IO (nothing
+ * can be written into the folder). */
+STLTSA_API stltsa_status stltsa_batch_new(const char *const *paths, int64_t count,
+                                          const char *folder, const char *shard,
+                                          const stltsa_options *options,
+                                          stltsa_batch **batch) STLTSA_NOEXCEPT;
+STLTSA_API void stltsa_batch_free(stltsa_batch *batch) STLTSA_NOEXCEPT;
+
+/* The path of a clip; NULL beyond the last one. */
+STLTSA_API const char *stltsa_batch_path(const stltsa_batch *batch, int64_t index) STLTSA_NOEXCEPT;
+
+/* Decomposes one clip and writes its result, completely or not at all, unless an earlier run did:
+ * its file is kept if it is undamaged and was made from the same content, with the same options, by
+ * the same version.
+ *
+ * clip        NULL: the library opens it; or what the caller read at that path
+ * options     progress; NULL: none
+ * kept        1: the result is of an earlier run; 0: it is not. May be NULL.
+ * row         receives the clip's row of the summary, to be freed with stltsa_free: also if the
+ *             clip fails, with the status and its text. NULL: the call was wrong or cancelled, or
+ *             memory ran out.
+ *
+ * Errors of stltsa_clip_open and stltsa_decompose; E_IO (the result is that of another clip, or
+ * cannot be written), E_ARGUMENT. */
+STLTSA_API stltsa_status stltsa_batch_run(const stltsa_batch *batch, int64_t index,
+                                          const stltsa_clip *clip, const stltsa_options *options,
+                                          int32_t *kept, char **row) STLTSA_NOEXCEPT;
+
+/* Writes the rows as a table, summary.csv, or of a shard summary-2-8.csv, in the folder of results.
+ *
+ * rows        count texts of stltsa_batch_run
+ * summary     receives the path of the table, which belongs to the batch. May be NULL.
+ *
+ * E_IO, E_ARGUMENT. */
+STLTSA_API stltsa_status stltsa_batch_finish(const stltsa_batch *batch, const char *const *rows,
+                                             int64_t count, const char **summary) STLTSA_NOEXCEPT;
+
 #ifdef __cplusplus
 }
 #endif

@@ -182,6 +182,14 @@ class List {
     stltsa_in in_;
 };
 
+/// The texts as C takes them, valid as long as they are unchanged.
+inline std::vector<const char*> pointers(const std::vector<std::string>& texts) {
+    std::vector<const char*> all;
+    for (const std::string& text : texts)
+        all.push_back(text.c_str());
+    return all;
+}
+
 /// The results of item(index) for 0 to count - 1.
 template <class Item>
 auto list(std::int64_t count, Item item) {
@@ -904,6 +912,60 @@ inline Synthesis synthesize_loop(const Clip& clip, const Decomposition& decompos
     return detail::made<Synthesis>(stltsa_synthesize_loop, clip.get(), decomposition.get(),
                                    options.get());
 }
+
+/// What became of a clip of a batch.
+struct BatchRow {
+    std::string text;                 ///< for Batch::finish()
+    bool kept = false;                ///< the result is of an earlier run
+    stltsa_status status = STLTSA_OK; ///< why the clip failed
+    std::string error;                ///< empty: it did not
+};
+
+/// Many clips, decomposed into files of a folder. Any number of threads may use it.
+class Batch {
+  public:
+    using Pointer = stltsa_batch*;
+
+    explicit Batch(stltsa_batch* owned) : handle_(owned) {}
+    /// `shard`: "2/8"; empty: all clips.
+    Batch(const std::vector<std::string>& paths, const std::string& folder,
+          const std::string& shard = "", const Options& options = {})
+        : Batch(detail::made<Batch>(stltsa_batch_new, detail::pointers(paths).data(),
+                                    static_cast<std::int64_t>(paths.size()), folder.c_str(),
+                                    shard.empty() ? nullptr : shard.c_str(), options.get())) {}
+
+    std::vector<std::string> paths() const {
+        std::vector<std::string> paths;
+        while (const char* path = stltsa_batch_path(get(), std::ssize(paths)))
+            paths.emplace_back(path);
+        return paths;
+    }
+    /// Decomposes one clip, or keeps its result. Throws only if the call is wrong or cancelled, or
+    /// memory runs out. Options: progress.
+    BatchRow run(std::int64_t index, const Options& options = {}) const {
+        std::int32_t kept = 0;
+        char* text = nullptr;
+        BatchRow row;
+        row.status = stltsa_batch_run(get(), index, nullptr, options.get(), &kept, &text);
+        const detail::Handle<char, stltsa_free> owner(text);
+        if (text == nullptr)
+            detail::check(row.status);
+        row.text = text;
+        row.kept = kept != 0;
+        row.error = row.status == STLTSA_OK ? "" : stltsa_last_error();
+        return row;
+    }
+    /// Writes the table of the rows; returns its path.
+    std::string finish(const std::vector<std::string>& rows) const {
+        return detail::got<const char*>(stltsa_batch_finish, get(), detail::pointers(rows).data(),
+                                        static_cast<std::int64_t>(rows.size()));
+    }
+
+    const stltsa_batch* get() const noexcept { return handle_.get(); }
+
+  private:
+    detail::Handle<stltsa_batch, stltsa_batch_free> handle_;
+};
 
 } // namespace v0
 } // namespace stltsa

@@ -21,6 +21,18 @@ inline std::string text_cell(std::string_view text) {
     return (is_formula(text) ? "'" : "") + std::string(text);
 }
 
+/// A cell of a CSV file: in quotes if it needs them (RFC 4180) or would where semicolons or tabs
+/// separate cells, and never a formula. The pages and Python have the same rule.
+inline std::string csv_cell(std::string_view text) {
+    const std::string cell = text_cell(text);
+    if (cell.find_first_of(",;\t\"\n\r") == cell.npos)
+        return cell;
+    std::string quoted = "\"";
+    for (const char c : cell)
+        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + '"';
+}
+
 /// The text that was given to text_cell().
 inline std::string_view without_apostrophe(std::string_view cell) {
     return cell.starts_with('\'') && is_formula(cell) ? cell.substr(1) : cell;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Builds JSON text. nlohmann's library is not used because its destructors allocate memory, so it
-// ends the process if there is none.
+// Builds JSON text, and finds parts of it. nlohmann's library is not used because its destructors
+// allocate memory, so it ends the process if there is none.
 #pragma once
 
 #include <concepts>
@@ -74,5 +74,13 @@ class JsonObject {
   private:
     std::string members_;
 };
+
+/// The elements of an array, or the members of an object, as they are written. Of a text that is
+/// no JSON, any parts of it.
+std::vector<std::string_view> json_parts(std::string_view text);
+/// The value of a member of an object, as it is written; "" if there is none.
+std::string_view json_member(std::string_view object, std::string_view name);
+/// The text of a string that Json wrote; "" for another value.
+std::string json_string(std::string_view value);
 
 } // namespace stltsa

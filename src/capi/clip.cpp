@@ -85,11 +85,17 @@ std::unique_ptr<stltsa_clip> cut(const stltsa_clip& whole, const std::string& wh
     return made;
 }
 
-/// The clip at a path, or the stretch of it that follows the path.
-std::unique_ptr<stltsa_clip> read_stretch(const std::string& text,
-                                          const capi::OptionsReader& reader) {
+clip::Format format_of(int32_t format, std::string_view bytes) {
+    return format == 0 ? clip::sniff(bytes) : static_cast<clip::Format>(format);
+}
+
+} // namespace
+
+std::unique_ptr<stltsa_clip> capi::read_path(const std::string& text, const OptionsReader& reader,
+                                             clip::Clip (*read)(const std::string& path,
+                                                                const clip::ReadOptions&)) {
     const auto [path, what] = clip::split_stretch(text);
-    auto made = std::make_unique<stltsa_clip>(clip::read(path, reader.read_options()));
+    auto made = std::make_unique<stltsa_clip>(read(path, reader.read_options()));
     if (what.empty())
         return made;
     try {
@@ -98,12 +104,6 @@ std::unique_ptr<stltsa_clip> read_stretch(const std::string& text,
         fail(error.status(), "{}: {}", text, error.what());
     }
 }
-
-clip::Format format_of(int32_t format, std::string_view bytes) {
-    return format == 0 ? clip::sniff(bytes) : static_cast<clip::Format>(format);
-}
-
-} // namespace
 
 stltsa_status stltsa_clip_open(const char* path, const stltsa_options* options,
                                stltsa_clip** clip) noexcept {
@@ -124,7 +124,7 @@ stltsa_status stltsa_clip_open_stretch(const char* text, const stltsa_options* o
         required(clip, "clip") = nullptr;
         const capi::OptionsReader reader(options);
         report_progress(Stage::read, 0);
-        auto made = read_stretch(&required(text, "text"), reader);
+        auto made = capi::read_path(&required(text, "text"), reader);
         report_progress(Stage::read, 1);
         *clip = made.release();
     });

@@ -24,6 +24,8 @@ namespace stltsa::capi {
 
 using namespace results;
 
+class OptionsReader;
+
 /// A copy of a text that the caller frees with stltsa_free.
 char* caller_string(const std::string& text);
 
@@ -33,6 +35,11 @@ const ltsa::Mapping* mapping_of(const stltsa_model& model);
 
 /// The clips that a caller passes. Throws Status::argument for none, and for NULL.
 std::vector<const clip::Clip*> clips_of(const stltsa_clip* const* clips, std::int64_t count);
+
+/// The clip at a path, or the stretch of it that follows the path.
+std::unique_ptr<stltsa_clip> read_path(const std::string& text, const OptionsReader& reader,
+                                       clip::Clip (*read)(const std::string& path,
+                                                          const clip::ReadOptions&) = clip::read);
 
 /// Throws Status::argument for a rate that no clip may have.
 void check_rate(double fps);

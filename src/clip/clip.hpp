@@ -109,6 +109,15 @@ Clip read(const std::string& path, const ReadOptions& options);
 Clip parse(std::string_view bytes, Format format, const std::string& name,
            const ReadOptions& options);
 
+/// The same; options.fps is used only if the file cannot be read without it, or has no rate.
+Clip read_at_own_rate(const std::string& path, const ReadOptions& options);
+
+/// The suffixes that read() knows, for messages.
+std::string suffixes_read();
+/// Whether a file in a folder is a clip by its suffix, perhaps one that only the Python package
+/// reads.
+bool is_clip_name(const std::string& path);
+
 /// The format of the bytes (NPY magic, HIERARCHY, AMC keywords, else CSV).
 Format sniff(std::string_view bytes);
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 #include "clip/acclaim/find_skeleton.hpp"
 #include "clip/csv/bids.hpp"
@@ -18,27 +20,15 @@ void check_is_text(std::string_view bytes, const FormatRow& row, const std::stri
 }
 
 /// Files that only the Python package reads, with what reads them there.
-void refuse_format_of_others(const std::string& path) {
-    struct Other {
-        std::string_view suffix, how;
-    };
-    constexpr Other others[] = {{".npz", "stltsa.read_clip"},
-                                {".nc", "stltsa.decompose of a dataset"}};
-    const std::string suffix = std::filesystem::path(path).extension().string();
-    for (const Other& other : others)
-        if (equals_ignoring_case(suffix, other.suffix))
-            fail(Status::format,
-                 "{}: only the Python package reads {} files ({}); or export the points as CSV",
-                 path, suffix, other.how);
-}
+struct Other {
+    std::string_view suffix, how;
+};
+constexpr Other others[] = {{".npz", "stltsa.read_clip"}, {".nc", "stltsa.decompose of a dataset"}};
 
-std::string suffixes_read() {
-    std::string text;
-    for (const FormatRow& row : formats())
-        for (const std::string_view suffix : row.suffixes)
-            if (row.read != nullptr && !suffix.empty())
-                text += (text.empty() ? "" : ", ") + std::string(suffix);
-    return text;
+const Other* find_other(const std::string& path) {
+    const std::string suffix = to_lower(std::filesystem::path(path).extension().string());
+    const Other* const found = std::ranges::find(others, suffix, &Other::suffix);
+    return found == std::end(others) ? nullptr : found;
 }
 
 /// Parses a file of no known format, such as a spreadsheet or a video, as CSV, and says so if it
@@ -65,6 +55,20 @@ const FormatRow& readable(Format format) {
 }
 
 } // namespace
+
+std::string suffixes_read() {
+    std::string text;
+    for (const FormatRow& row : formats())
+        for (const std::string_view suffix : row.suffixes)
+            if (row.read != nullptr && !suffix.empty())
+                text += (text.empty() ? "" : ", ") + std::string(suffix);
+    return text;
+}
+
+bool is_clip_name(const std::string& path) {
+    const FormatRow* const row = find_format(path);
+    return row != nullptr ? row->read != nullptr : find_other(path) != nullptr;
+}
 
 Format sniff(std::string_view bytes) {
     for (const FormatRow& row : formats())
@@ -107,7 +111,10 @@ Clip read(const std::string& given, const ReadOptions& options) {
     if (known != nullptr && known->read == nullptr)
         fail(Status::format, "{}: {} files are only written: open the clip that it was made from",
              path, known->suffixes[0]);
-    refuse_format_of_others(path);
+    if (const Other* const other = find_other(path); other != nullptr)
+        fail(Status::format,
+             "{}: only the Python package reads {} files ({}); or export the points as CSV", path,
+             other->suffix, other->how);
     const Format format = known != nullptr ? known->format : sniff(bytes);
     if (equals_ignoring_case(std::filesystem::path(path).extension().string(), ".asf"))
         fail(Status::format, "{}: an ASF file is a skeleton without motion: open an AMC file",
@@ -125,6 +132,20 @@ Clip read(const std::string& given, const ReadOptions& options) {
     if (search)
         clip.notes.push_back("skeleton found beside the clip: " + with_others.skeleton);
     return clip;
+}
+
+Clip read_at_own_rate(const std::string& path, const ReadOptions& options) {
+    ReadOptions without = options;
+    without.fps.reset();
+    try {
+        Clip clip = read(path, without);
+        if (clip.fps > 0 || !options.fps)
+            return clip;
+    } catch (const Error& error) {
+        if (!options.fps || error.status() != Status::format)
+            throw;
+    }
+    return read(path, options);
 }
 
 } // namespace stltsa::clip

@@ -2,9 +2,11 @@
 // stltsa.hpp: the segments of a recording, its loop, stretches of it, and clips of arrays.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <span>
+#include <stdexcept>
 #include <string>
 
 #include <unistd.h>
@@ -188,6 +190,45 @@ void a_clip_has_the_events_of_its_file(void**) {
     assert_true(walker().events().empty());
 }
 
+void a_batch_keeps_its_results(void**) {
+    std::string out = "/tmp/stltsa-wrapper-XXXXXX";
+    assert_non_null(::mkdtemp(out.data()));
+    for (const bool again : {false, true}) {
+        const stltsa::Batch batch({walker_path, out + "/missing.bvh"}, out, again ? "1/1" : "");
+        const std::vector<std::string> paths = batch.paths();
+        assert_int_equal(paths.size(), 2);
+        std::vector<std::string> rows;
+        for (std::int64_t i = 0; i < 2; ++i) {
+            const bool there = paths[static_cast<std::size_t>(i)] == walker_path;
+            const stltsa::BatchRow row = batch.run(i);
+            assert_int_equal(row.status, there ? STLTSA_OK : STLTSA_E_IO);
+            assert_true(row.error.empty() == there && row.kept == (there && again));
+            rows.push_back(row.text);
+        }
+        const std::string place = batch.finish(rows);
+        assert_string_equal(place.c_str(),
+                            (out + (again ? "/summary-1-1.csv" : "/summary.csv")).c_str());
+        try {
+            batch.run(2);
+            _fail(__FILE__, __LINE__);
+        } catch (const stltsa::Error& error) {
+            assert_int_equal(error.status(), STLTSA_E_ARGUMENT);
+        }
+        assert_non_null(batch.get());
+    }
+    // What a callback throws is thrown again.
+    const stltsa::Batch batch({walker_path}, out + "/other");
+    stltsa::Options options;
+    options.set_progress([](std::int32_t, double) -> bool { throw std::runtime_error("stop"); });
+    try {
+        batch.run(0, options);
+        _fail(__FILE__, __LINE__);
+    } catch (const std::runtime_error& stop) {
+        assert_string_equal(stop.what(), "stop");
+    }
+    std::filesystem::remove_all(out);
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -202,6 +243,7 @@ int main(int argc, char** argv) {
         cmocka_unit_test(cycles_become_a_loop),
         cmocka_unit_test(clips_are_made_of_arrays_and_cut),
         cmocka_unit_test(a_clip_has_the_events_of_its_file),
+        cmocka_unit_test(a_batch_keeps_its_results),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

@@ -122,7 +122,7 @@ class Batch(CommandTest):
         elsewhere.mkdir()
         shutil.copy(walk(), elsewhere / "other.bvh")
         (self.clips / "link").symlink_to(elsewhere)
-        (self.clips / "dangling").symlink_to("nothing")
+        (self.clips / "dangling").symlink_to("nothing")  # names no clip
         self.assertIn("4 clips: 4 decomposed", self.batch())
         self.assertTrue((self.out / "clips__link__other.bvh.json").exists())
 
@@ -187,6 +187,39 @@ class Batch(CommandTest):
         self.assertIn("0 decomposed, 3 kept from before, 1 failed", text)
         self.assertIn("\n  clips/bad.bvh  line 1: a BVH file must begin", text)
 
+    def test_what_has_the_name_of_a_clip_has_a_row(self):
+        (self.clips / "dangling.bvh").symlink_to("nothing")
+        os.mkfifo(self.clips / "pipe.csv")
+        (self.clips / ".hidden.bvh").write_text("being written")
+        self.batch(status=5)
+        rows = {row["path"]: row for row in self.summary()}
+        self.assertEqual(len(rows), 5)
+        for name, why in (("dangling.bvh", "No such file"), ("pipe.csv", "not a file")):
+            self.assertEqual(rows[f"clips/{name}"]["status"], "STLTSA_E_IO")
+            self.assertIn(why, rows[f"clips/{name}"]["error"])
+
+    @unittest.skipUnless(os.geteuid(), "root may list every folder")
+    def test_a_folder_that_cannot_be_listed_has_a_row(self):
+        (self.clips / "more").chmod(0o300)
+        self.addCleanup((self.clips / "more").chmod, 0o700)
+        self.batch(status=5)
+        status = {row["path"]: row["status"] for row in self.summary()}
+        self.assertEqual(status, {"clips/more": "STLTSA_E_IO", "clips/walk.bvh": "done"})
+
+    def test_fps_is_for_files_without_a_usable_rate(self):
+        text = walk().read_text()
+        path = self.clips / "walk.bvh"
+        path.write_text(re.sub("Frame Time: .*", "Frame Time: 30", text))
+        result = run("batch", path, "--out", self.out)
+        self.assertEqual(result.returncode, 5)
+        self.assertIn(b"set --fps", result.stdout)
+        self.batch()
+        self.assertEqual([row["fps"] for row in self.summary()], ["30", "60", "30"])
+        stretch = ("batch", "clips/more/swing, noisy.csv:0s-9s", "clips/more/walk.bvh:0s-99s")
+        result = run(*stretch, "--out", self.out, "--fps", "30", cwd=self.folder)
+        self.assertEqual(result.returncode, 5)  # at its own rate the walk has fewer seconds
+        self.assertEqual([row["frames"] for row in self.summary()], ["270", ""])
+
     def test_damaged_results_are_made_anew(self):
         self.batch()
         before, path = self.files(), self.out / "clips__walk.bvh.json"
@@ -223,10 +256,10 @@ class Batch(CommandTest):
         ):
             make()
             self.assertIn("1 failed", self.batch(status=5))
+            self.assertIn(said, self.summary()[-1]["error"])
             rows = {row["path"]: row for row in self.summary()}
             self.assertEqual(rows.pop(name)["status"], "STLTSA_E_IO")
             self.assertEqual([row["status"] for row in rows.values()], ["done", "done"])
-            self.assertIn(said, self.batch(status=5))
             (place.rmdir if place.is_dir() and not place.is_symlink() else place.unlink)()
 
     def test_a_summary_that_cannot_be_written(self):
@@ -280,6 +313,13 @@ class Batch(CommandTest):
             begin = f'"{quoted}.bvh",STLTSA_E_FORMAT,'.encode()
             self.assertIn(b"\n" + begin, (self.out / "summary.csv").read_bytes())
 
+    def test_cells_that_a_spreadsheet_would_evaluate(self):
+        (self.folder / "=1+1.bvh").write_text("hello\n")
+        self.batch("=1+1.bvh", status=5)
+        row = next(row for row in self.summary() if "1+1" in row["path"])
+        self.assertEqual(row["path"], "'=1+1.bvh")
+        self.assertTrue(row["error"].startswith("'=1+1.bvh:1: "))
+
     def test_a_result_whose_name_is_too_long_is_a_row(self):
         """At most 255 bytes, as long as the file systems of Linux have it."""
         for length, status in ((137, "done"), (138, "STLTSA_E_IO")):
@@ -287,21 +327,21 @@ class Batch(CommandTest):
             path = self.clips / clip
             path.parent.mkdir(exist_ok=True)
             shutil.copy(walk(), path)
-            text = self.batch(status=0 if status == "done" else 5)
+            self.batch(status=0 if status == "done" else 5)
             rows = {row["path"]: row for row in self.summary()}
             self.assertEqual(rows[f"clips/{clip}"]["status"], status)
             self.assertEqual(rows["clips/walk.bvh"]["status"], "done")
-        self.assertIn("would have 256 bytes", text)
+        self.assertIn("would have 256 bytes", rows[f"clips/{clip}"]["error"])
         self.assertEqual(max(len(str(name)) for name in self.files()), 255)
 
     def test_results_among_the_clips(self):
-        """The summaries there are no clips."""
+        """Summaries are no clips, wherever they are and whatever their name is."""
         before = self.files(self.clips)
-        for out in ("more/results", "."):
+        for out in ("more/results", ".", "other"):
             for part in ((), ("--shard", "1/1"), ()):
                 result = json.loads(self.batch("--json", *part, out=self.clips / out))
                 self.assertEqual((result["clips"], result["failed"]), (3, 0))
-            shutil.rmtree(self.clips / "more" / "results", ignore_errors=True)
+        (self.clips / "summary.csv").rename(self.clips / "monday.csv")
         self.assertLess(before.items(), self.files(self.clips).items())
         (self.clips / "summary-walk.csv").write_bytes(
             (self.clips / "more" / "swing, noisy.csv").read_bytes())  # fmt: skip
@@ -327,8 +367,8 @@ class Batch(CommandTest):
         rows = self.summary("summary-1-2.csv") + self.summary("summary-2-2.csv")
         self.assertEqual(len(rows), 3)
         for wrong in ("0/2", "3/2", "2", "a/b", "1/2x"):
-            self.assertIn("--shard", self.fails(2, "batch", self.clips, "--out", self.out,
-                                                "--shard", wrong))  # fmt: skip
+            self.assertIn(f"the shard is '{wrong}'", self.fails(2, "batch", self.clips, "--out", self.out,
+                                                         "--shard", wrong))  # fmt: skip
 
     def test_wrong_command_lines(self):
         for line, hint in (
@@ -337,6 +377,7 @@ class Batch(CommandTest):
             ((self.folder / "empty",), "no .bvh"),
             ((self.clips, "--neighbors", "x"), "--neighbors"),
             ((self.clips, "--jobs", "0"), "--jobs"),
+            ((self.clips, "--period-min", "3", "--period-max", "2"), "--period-min"),
         ):
             (self.folder / "empty").mkdir(exist_ok=True)
             self.assertIn(hint, self.fails(2, "batch", *line, "--out", self.out))
@@ -409,17 +450,16 @@ class OtherFormats(CommandTest):
         for name in ("b.npz", "c.NC"):
             (self.folder / "clips" / name).write_text(name)
 
-    def test_c3d_files_are_clips_and_the_others_are_mentioned(self):
+    def test_c3d_files_are_clips_and_the_others_have_a_row(self):
         result = run("batch", "clips", "--out", "out", cwd=self.folder)
-        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(result.returncode, 5, result.stderr)
         with (self.folder / "out" / "summary.csv").open(newline="") as file:
             rows = {row["path"]: row for row in csv.DictReader(file)}
-        self.assertEqual(list(rows), ["clips/a.c3d"])
+        self.assertEqual(list(rows), ["clips/a.c3d", "clips/b.npz", "clips/c.NC"])
         self.assertIn(int(rows["clips/a.c3d"]["cycles"]), (7, 8))
-        self.assertIn(b"warning: 2 files left out, of formats that only the Python", result.stderr)
-        (self.folder / "clips" / "a.c3d").unlink()
-        self.assertIn("2 files left out", self.fails(2, "batch", "clips", "--out", "out",
-                                                     cwd=self.folder))  # fmt: skip
+        for name in ("b.npz", "c.NC"):
+            self.assertEqual(rows[f"clips/{name}"]["status"], "STLTSA_E_FORMAT")
+            self.assertIn("only the Python package reads", rows[f"clips/{name}"]["error"])
 
     def test_clips_of_all_formats_are_found(self):
         """The library lists the suffixes that it reads: batch takes the same."""
@@ -432,7 +472,8 @@ class OtherFormats(CommandTest):
         run("batch", "clips", "--out", "out", cwd=self.folder)
         with (self.folder / "out" / "summary.csv").open(newline="") as file:
             paths = {row["path"] for row in csv.DictReader(file)}
-        self.assertEqual(paths, {"clips/a.c3d", *(f"clips/all{suffix}" for suffix in suffixes)})
+        others = {"clips/a.c3d", "clips/b.npz", "clips/c.NC"}
+        self.assertEqual(paths, {*others, *(f"clips/all{suffix}" for suffix in suffixes)})
 
 
 if __name__ == "__main__":

@@ -391,5 +391,6 @@ std::vector<Work> other_works() {
             {"streams", streams},
             {"denoise model", denoise_model},
             {"loops", loops},
+            {"batches", batches},
             {"constants", constants, false}};
 }

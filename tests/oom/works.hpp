@@ -33,3 +33,6 @@ struct Work {
 /// The functions that the works of oom.cpp do not call (scripts/check-tested compares the calls
 /// with the header).
 std::vector<Work> other_works();
+
+/// A batch of one clip, in a file of its own.
+stltsa_status batches(const std::string& input);

@@ -127,7 +127,7 @@ library are the same.
 
 Examples:
   stltsa batch recordings/ --out results
-  stltsa batch *.bvh --out results --jobs 4 --neighbors 1.2s
+  stltsa batch *.bvh --out results --jobs 4 --period-max 3
   stltsa batch recordings/ --out results --shard 2/8)";
 
 constexpr const char* about_compare =

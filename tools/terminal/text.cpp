@@ -8,8 +8,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "base/formula.hpp"
-
 namespace tool {
 
 namespace {
@@ -67,16 +65,6 @@ std::string wrapped(std::string_view text, std::size_t columns) {
         }
     }
     return lines + line;
-}
-
-std::string csv_cell(const std::string& text) {
-    std::string cell = stltsa::text_cell(text);
-    if (cell.find_first_of(",;\t\"\n\r") == cell.npos)
-        return cell;
-    std::string quoted = "\"";
-    for (const char c : cell)
-        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + '"';
 }
 
 bool ends_in(std::string_view name, std::string_view suffix) {

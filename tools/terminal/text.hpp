@@ -7,14 +7,14 @@
 #include <string_view>
 #include <vector>
 
+#include "base/formula.hpp"
+
 namespace tool {
 
 /// Breaks text at blanks into lines; a word that is too long gets its own line.
 std::string wrapped(std::string_view text, std::size_t columns);
 
-/// A cell of a CSV file: in quotes if it needs them (RFC 4180) or would where semicolons or tabs
-/// separate cells, and never a formula (base/formula). The pages and Python have the same rule.
-std::string csv_cell(const std::string& text);
+using stltsa::csv_cell;
 
 /// Whether a name ends in this lower-case suffix, ignoring case.
 bool ends_in(std::string_view name, std::string_view suffix);

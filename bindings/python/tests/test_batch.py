@@ -1,41 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Batches: the command's files, resumed, for any number of jobs."""
+"""Batches: the library's (tests/command/test_batch.py), in threads and on a cluster."""
 
 import os
 import re
 import shutil
 import subprocess
-from pathlib import Path
 
 import numpy as np
 import pytest
 from conftest import ROOT
-from test_readers import walk, write_c3d
 
 import stltsa
 
-ASF = """:version 1.10
-:units
-  length 1
-  angle deg
-:root
-  order TX TY TZ RX RY RZ
-  axis XYZ
-  position 0 0 0
-  orientation 0 0 0
-:bonedata
-  begin
-    id 1
-    name leg
-    direction 0 -1 0
-    length 40
-    axis 0 0 0 XYZ
-  end
-:hierarchy
-  begin
-    root leg
-  end
-"""
 DOCS = ROOT / "docs" / "batch.md"
 
 
@@ -55,50 +31,26 @@ def files(folder):
     return {p.relative_to(folder): p.read_bytes() for p in folder.rglob("*") if p.is_file()}
 
 
-def test_the_commands_files(clips, tmp_path, command):
-    rows = stltsa.batch(clips, tmp_path / "python", fps=30.0, segments=1)
-    flags = ["--fps", "30", "--segments", "1"]
-    subprocess.run([command, "batch", clips, "--out", tmp_path / "command", *flags], check=True,
-                   capture_output=True)  # fmt: skip
+@pytest.mark.parametrize("jobs", [1, 2])
+def test_the_commands_files(clips, tmp_path, command, jobs):
+    (clips / "bad.bvh").write_text("hello\n")
+    (clips / "=1+1.bvh").symlink_to(clips / "walk.bvh")
+    options = {"fps": 30.0, "segments": 1, "features": "raw", "individual": None}
+    rows = stltsa.batch([clips], tmp_path / "python", jobs=jobs, **options)
+    flags = ["--fps", "30", "--segments", "1", "--features", "raw"]
+    line = [command, "batch", clips, "--out", tmp_path / "command", *flags]
+    assert subprocess.run(line, capture_output=True, check=False).returncode == 5
     assert files(tmp_path / "python") == files(tmp_path / "command")
-    names = [str(clips / "more" / "swing, noisy.csv"), str(clips / "walk.bvh")]
-    assert list(rows["path"]) == names
-    results = {name.replace("/", "__") + ".json" for name in names}
-    assert {str(name) for name in files(tmp_path / "python")} == results | {"summary.csv"}
-    assert list(rows["status"]) == ["done", "done"]
-    assert not any(rows["kept"])
-    again = stltsa.batch(clips, tmp_path / "command", fps=30, segments=1)
-    assert all(again["kept"])
-    assert list(again["period_s"]) == list(rows["period_s"])
+    names = ["=1+1.bvh", "bad.bvh", "more/swing, noisy.csv", "walk.bvh"]
+    assert list(rows["path"]) == [str(clips / name) for name in names]
+    assert list(rows["status"]) == ["done", "STLTSA_E_FORMAT", "done", "done"]
+    assert "must begin with HIERARCHY" in rows["error"][1]
+    assert list(rows["frames"])[1:3] == [0, 300]
+    assert np.isnan(rows["period_s"][1])
+    again = stltsa.batch(clips, tmp_path / "command", **options)
+    assert list(again["kept"]) == [True, False, True, True]
+    assert list(again["period_s"])[2:] == list(rows["period_s"])[2:]
     assert not any(stltsa.batch(clips, tmp_path / "python", fps=30)["kept"])
-
-
-def test_names_that_a_spreadsheet_would_evaluate(walker, tmp_path, command, monkeypatch):
-    """Or split, where semicolons or tabs separate cells."""
-    monkeypatch.chdir(tmp_path)
-    names = ["=1+1.bvh", "a;=1+1.bvh", "a\rb.bvh", "a\tb.bvh", 'a"b.bvh']
-    for name in names:
-        Path(name).symlink_to(walker)
-    stltsa.batch(names, "python")
-    subprocess.run([command, "batch", *names, "--out", "command"], check=True,
-                   capture_output=True)  # fmt: skip
-    assert files(tmp_path / "python") == files(tmp_path / "command")
-    summary = (tmp_path / "python" / "summary.csv").read_bytes()
-    for cell in (b"'=1+1.bvh", b'"a;=1+1.bvh"', b'"a\rb.bvh"', b'"a\tb.bvh"', b'"a""b.bvh"'):
-        assert b"\n" + cell + b",done," in summary
-
-
-def test_the_commands_files_of_c3d(tmp_path, command):
-    pytest.importorskip("ezc3d")
-    folder = tmp_path / "clips"
-    folder.mkdir()
-    values = walk()
-    values[70:80, 0] = values[150:180] = np.nan  # a gap, and a hole
-    write_c3d(folder / "walk.c3d", values)
-    stltsa.batch(folder, tmp_path / "python")
-    subprocess.run([command, "batch", folder, "--out", tmp_path / "command"], check=True,
-                   capture_output=True)  # fmt: skip
-    assert files(tmp_path / "python") == files(tmp_path / "command")
 
 
 def test_files_that_only_python_reads(tmp_path):
@@ -110,9 +62,16 @@ def test_files_that_only_python_reads(tmp_path):
     poses[:, 6:9] = -poses[:, 3:6]
     way = np.column_stack([0.1 * np.sin(2 * np.pi * t), 1 / 3 + 0 * t, 1.3 * t])
     np.savez(folder / "walk.npz", poses=poses, trans=way, mocap_framerate=60.0)
-    rows = stltsa.batch(folder, tmp_path / "python")
-    assert list(rows["status"]) == ["done"]
-    assert min(rows["cycles"]) > 0
+    np.savez(folder / "other.npz", poses=poses)
+    for kept in (False, True):
+        rows = stltsa.batch(folder, tmp_path / "out", jobs=2)
+        assert list(rows["status"]) == ["STLTSA_E_FORMAT", "done"]
+        assert "this one has poses" in rows["error"][0]
+        assert rows["cycles"][1] > 0
+        assert list(rows["kept"]) == [False, kept]
+    assert "this one has poses" in (tmp_path / "out" / "summary.csv").read_text()
+    np.savez(folder / "other.npz", poses=poses, trans=way)  # without a rate
+    assert list(stltsa.batch(folder, tmp_path / "out", fps=60)["status"]) == ["done", "done"]
 
 
 @pytest.mark.parametrize(
@@ -132,21 +91,34 @@ def test_wrong_options_fail_before_the_first_clip(clips, tmp_path, error, option
     stltsa.batch(clips / "walk.bvh", tmp_path / "out", period_max="4s")
 
 
-def test_jobs(clips, tmp_path):
-    pytest.importorskip("joblib")
-    stltsa.batch(clips, tmp_path / "one", fps=30)
-    stltsa.batch([clips], tmp_path / "two", jobs=2, fps=30)
-    assert files(tmp_path / "one") == files(tmp_path / "two")
-    for i in (1, 2):
-        stltsa.batch(clips, tmp_path / "parts", shard=f"{i}/2", fps=30)
-    parts = {name for name in files(tmp_path / "parts") if name.suffix == ".json"}
-    assert parts == {name for name in files(tmp_path / "one") if name.suffix == ".json"}
-    with pytest.raises(ValueError, match="shard"):
-        stltsa.batch(clips, tmp_path / "parts", shard=(3, 2))
-    with pytest.raises(ValueError, match="shard"):
-        stltsa.batch(clips, tmp_path / "parts", shard="1")
-    with pytest.raises(ValueError, match="shard"):
-        stltsa.batch(clips, tmp_path / "parts", shard=(1.5, 2))
+def test_wrong_arguments(clips, tmp_path):
+    for shard in ((3, 2), "1", (1.5, 2)):
+        with pytest.raises(ValueError, match="shard"):
+            stltsa.batch(clips, tmp_path / "out", shard=shard)
+    with pytest.raises(ValueError, match="same result"):
+        stltsa.batch(["a__b.bvh", "a/b.bvh"], tmp_path / "out")
+    with pytest.raises(OSError, match="/proc/"):
+        stltsa.batch(clips, "/proc/self", fps=30)
+    rows = stltsa.batch(clips, tmp_path / "out", shard=(2, 2), fps=30)
+    assert len(rows) == 1
+    assert (tmp_path / "out" / "summary-2-2.csv").exists()
+
+
+def test_progress_can_end_the_batch(clips, tmp_path):
+    seen = []
+    stltsa.batch(clips, tmp_path / "all", fps=30, progress=lambda *a: seen.append(a))
+    assert seen == [("clips", 0.5), ("clips", 1.0)]
+
+    def stop(*_):
+        raise KeyboardInterrupt
+
+    paths = [clips / "walk.bvh"]
+    for i in range(20):
+        shutil.copy(clips / "walk.bvh", clips / f"walk{i}.bvh")
+        paths.append(clips / f"walk{i}.bvh")
+    with pytest.raises(KeyboardInterrupt):
+        stltsa.batch(paths, tmp_path / "some", progress=stop)
+    assert 1 <= len(files(tmp_path / "some")) < len(paths)
 
 
 def test_a_cluster(clips, tmp_path):
@@ -158,172 +130,6 @@ def test_a_cluster(clips, tmp_path):
     ):
         stltsa.batch(clips, tmp_path / "two", client=client, fps=30)
     assert files(tmp_path / "one") == files(tmp_path / "two")
-
-
-def test_paths_as_the_command_takes_them(clips, tmp_path, command, monkeypatch):
-    """Clips given twice, links that lead back, names with dots."""
-    (clips / "loop").symlink_to(".")
-    (clips / "more" / "up").symlink_to("..")
-    (tmp_path / "elsewhere").mkdir()
-    shutil.copy(clips / "walk.bvh", tmp_path / "elsewhere" / "other.bvh")
-    (clips / "link").symlink_to(tmp_path / "elsewhere")
-    (clips / "bad.bvh").write_text("hello\n")
-    monkeypatch.chdir(clips)
-    paths = [
-        "./walk.bvh",
-        ".",
-        "more//",
-        "../elsewhere/other.bvh",
-        "more/../walk.bvh",
-        "absent.bvh",
-    ]
-    stltsa.batch(paths, tmp_path / "python", fps=30)
-    line = [command, "batch", *paths, "--out", tmp_path / "command", "--fps", "30"]
-    assert subprocess.run(line, capture_output=True, check=False).returncode == 5
-    found = files(tmp_path / "command")
-    assert files(tmp_path / "python") == found
-    assert len(found) == 8
-    assert "elsewhere__other.bvh.json" in {str(name) for name in found}
-
-
-def test_results_among_the_clips(clips):
-    """The summaries there are no clips."""
-    (clips / "link").symlink_to(clips / "more" / "results")
-    for out in ("more/results", "."):
-        for shard, count in (((1, 1), 2), ((1, 2), 1), ((1, 1), 2)):
-            rows = stltsa.batch(clips, clips / out, shard=shard, fps=30)
-            assert list(rows["status"]) == ["done"] * count
-        shutil.rmtree(clips / "more" / "results", ignore_errors=True)
-
-
-def test_a_result_whose_name_is_too_long_is_a_row(clips, tmp_path, command, monkeypatch):
-    monkeypatch.chdir(clips)
-    folder = clips / ("m" * 120)
-    folder.mkdir()
-    for length in (124, 125):
-        shutil.copy(clips / "walk.bvh", folder / f"{'n' * length}.bvh")
-    rows = stltsa.batch(".", tmp_path / "python", fps=30)
-    assert list(rows["status"]) == ["done", "STLTSA_E_IO", "done", "done"]
-    assert "would have 256 bytes" in rows["error"][1]
-    line = [command, "batch", ".", "--out", tmp_path / "command", "--fps", "30"]
-    assert subprocess.run(line, capture_output=True, check=False).returncode == 5
-    assert files(tmp_path / "python") == files(tmp_path / "command")
-
-
-def test_bad_files_are_rows(clips, tmp_path):
-    (clips / "bad.bvh").write_text("hello\n")
-    rows = stltsa.batch([clips, tmp_path / "missing.bvh"], tmp_path / "out", fps=30)
-    status = dict(zip(rows["path"], rows["status"], strict=True))
-    assert status[str(clips / "bad.bvh")] == "STLTSA_E_FORMAT"
-    assert status[str(tmp_path / "missing.bvh")] == "STLTSA_E_IO"
-    assert status[str(clips / "walk.bvh")] == "done"
-    with pytest.raises(ValueError, match="same result"):
-        stltsa.batch(["a__b.bvh", "a/b.bvh"], tmp_path / "out")
-    with pytest.raises(ValueError, match="standard input"):
-        stltsa.batch("-", tmp_path / "out")
-    with pytest.raises(TypeError, match="workers"):
-        stltsa.batch(clips, tmp_path / "out", workers=2)
-    seen = []
-    stltsa.batch(clips / "walk.bvh", tmp_path / "out", progress=lambda *a: seen.append(a))
-    assert seen == [("clips", 1.0)]
-
-
-def test_damaged_results_are_made_anew(walker, tmp_path):
-    shutil.copy(walker, tmp_path / "walk.bvh")
-    path, out = tmp_path / "walk.bvh", tmp_path / "out"
-
-    def kept():
-        rows = stltsa.batch(path, out)
-        assert list(rows["status"]) == ["done"]
-        return bool(rows["kept"][0])
-
-    assert not kept()
-    result = next(out.glob("*.json"))
-    whole = result.read_bytes()
-    for damaged in (
-        b"",
-        whole[:-1],
-        whole.replace(b'"segments"', b'\0\0segments"', 1),
-        whole.replace(b'"cycles":', b'"Cycles":', 1),
-        whole.replace(b'"source":"', b'"source":"\xff', 1),
-        b'{"batch":1,"batch":' + 100000 * b"[" + b"}\n",
-    ):
-        result.write_bytes(damaged)
-        assert not kept()
-        assert result.read_bytes() == whole
-        assert kept()
-
-
-def test_what_is_in_the_way_does_not_stop_the_others(clips, tmp_path):
-    out = tmp_path / "out"
-    stltsa.batch(clips, out, fps=30)
-    place = out / f"{str(clips / 'walk.bvh').replace('/', '__')}.json"
-    place.unlink()
-    for make in (place.mkdir, lambda: os.mkfifo(place), lambda: place.symlink_to("none/folder")):
-        make()
-        rows = stltsa.batch(clips, out, fps=30)
-        assert list(rows["status"]) == ["done", "STLTSA_E_IO"]
-        assert list(rows["kept"]) == [True, False]
-        (place.rmdir if place.is_dir() else place.unlink)()
-    place.symlink_to(tmp_path / "elsewhere.json")
-    assert list(stltsa.batch(clips, out, fps=30)["status"]) == ["done", "done"]
-    assert place.is_symlink()
-    assert list(stltsa.batch(clips, out, fps=30)["kept"]) == [True, True]
-    seen = []  # no clip is decomposed if nothing can be written
-    with pytest.raises(OSError, match="/proc/"):
-        stltsa.batch(clips, "/proc/self", fps=30, progress=lambda *a: seen.append(a))
-    assert not seen
-
-
-def test_skeletons_as_the_command_takes_them(tmp_path, command, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    Path("clips").mkdir()
-    turns = 20 * np.sin(np.arange(300) / 8)
-    rows = [f"{i + 1}\nroot 0 0 0 {turn:.4f} 0 0\n" for i, turn in enumerate(turns)]
-    Path("clips/walk.amc").write_text(":FULLY-SPECIFIED\n:DEGREES\n" + "".join(rows))
-    skeleton = Path("clips/walk.asf")
-    skeleton.write_text(ASF)
-    os.mkfifo("clips/pipe.asf")
-    Path("clips/folder.asf").mkdir()
-    Path("clips/dangling.asf").symlink_to("nothing")
-    Path("clips/.hidden.asf").write_text("being written")
-    for options in ({}, {"skeleton": str(skeleton)}):
-        for change in ("", "# changed\n"):
-            skeleton.write_text(change + skeleton.read_text())
-            rows = stltsa.batch("clips", "python", fps=60, **options)
-            assert (list(rows["status"]), list(rows["kept"])) == (["done"], [False])
-            flags = ["--fps", "60", *(["--skeleton", skeleton] if options else [])]
-            subprocess.run([command, "batch", "clips", "--out", "command", *flags], check=True,
-                           capture_output=True)  # fmt: skip
-            assert files(Path("python")) == files(Path("command"))
-            assert list(stltsa.batch("clips", "command", fps=60, **options)["kept"]) == [True]
-    rows = stltsa.batch("clips", "python", skeleton="clips/pipe.asf")
-    assert list(rows["status"]) == ["STLTSA_E_IO"]
-
-
-def test_one_path_from_two_folders(walker, clip, tmp_path, monkeypatch):
-    """The result of another clip stays; it may be replaced when that clip is gone."""
-    for place in ("here", "there"):
-        (tmp_path / place).mkdir()
-    shutil.copy(walker, tmp_path / "here" / "walk.bvh")
-    clip.stretch("100-600").save(tmp_path / "there" / "walk.bvh")
-
-    def batch(place):
-        monkeypatch.chdir(tmp_path / place)
-        (row,) = stltsa.batch("walk.bvh", tmp_path / "out").itertuples()
-        return row.status, row.kept, row.error
-
-    assert batch("here")[:2] == ("done", False)
-    before = (tmp_path / "out" / "walk.bvh.json").read_bytes()
-    status, kept, error = batch("there")
-    assert (status, kept) == ("STLTSA_E_IO", False)
-    assert f"is that of another clip, {tmp_path}/here/walk.bvh: give another --out" in error
-    assert (tmp_path / "out" / "walk.bvh.json").read_bytes() == before
-    assert batch("here")[:2] == ("done", True)
-    (tmp_path / "here" / "walk.bvh").unlink()
-    assert batch("there")[:2] == ("done", False)
-    (tmp_path / "there").rename(tmp_path / "moved")
-    assert batch("moved")[:2] == ("done", True)
 
 
 def block_of_docs(language, word):

@@ -31,6 +31,19 @@ std::string choice_of(const char* choices, double value) {
 
 } // namespace
 
+std::string flag_name(const stltsa_option_info& row) {
+    std::string name = row.name;
+    std::ranges::replace(name, '_', '-');
+    return name;
+}
+
+std::string typed_value(const stltsa_options& options, const stltsa_option_info& row) {
+    if (row.type == STLTSA_TYPE_TEXT)
+        return options.texts.at(row.key);
+    const double value = options.numbers.at(row.key);
+    return row.choices == nullptr ? format_text("{}", value) : choice_of(row.choices, value);
+}
+
 std::string flags_of(const stltsa_options* options, int32_t calls,
                      std::initializer_list<int32_t> without) {
     std::string flags;
@@ -38,19 +51,12 @@ std::string flags_of(const stltsa_options* options, int32_t calls,
         if ((row.calls & calls) == 0 || row.key == STLTSA_OPT_THREADS ||
             std::ranges::count(without, row.key) > 0 || !is_set(options, row.key))
             continue;
-        std::string name = row.name;
-        std::ranges::replace(name, '_', '-');
-        if (row.type == STLTSA_TYPE_TEXT) {
-            flags += format_text(" --{} {}", name, quoted(options->texts.at(row.key)));
-            continue;
-        }
-        const double value = options->numbers.at(row.key);
+        const std::string name = flag_name(row), value = typed_value(*options, row);
         const bool is_switch = row.type == STLTSA_TYPE_INT && row.choices == nullptr &&
                                row.minimum == 0 && row.maximum == 1;
-        flags += is_switch ? format_text(" --{}{}", value == 0 ? "no-" : "", name)
-                 : row.choices != nullptr
-                     ? format_text(" --{} {}", name, choice_of(row.choices, value))
-                     : format_text(" --{} {}", name, value);
+        flags += is_switch ? format_text(" --{}{}", value == "0" ? "no-" : "", name)
+                           : format_text(" --{} {}", name,
+                                         row.type == STLTSA_TYPE_TEXT ? quoted(value) : value);
     }
     return flags;
 }

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 
+#include "base/json.hpp"
 #include "clip/clip.hpp"
 #include "clip/csv/cells.hpp"
 #include "clip/files/read_file.hpp"
@@ -54,29 +54,6 @@ class ChannelTable {
     std::array<std::size_t, 5> places_{};
 };
 
-/// The number of a member of the outermost object of a JSON text.
-std::optional<double> json_number(std::string_view text, std::string_view member) {
-    int depth = 0;
-    std::string_view last; // the last string
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (c == '"') {
-            const std::size_t begin = ++i;
-            while (i < text.size() && text[i] != '"')
-                i += text[i] == '\\' ? 2 : 1;
-            last = text.substr(begin, std::min(i, text.size()) - begin);
-        } else if (c == ':' && depth == 1 && last == member) {
-            const std::size_t end = std::min(text.find_first_of(",}", i), text.size());
-            return parse_number(trim(text.substr(i + 1, end - i - 1)));
-        } else if (c == '{' || c == '[') {
-            ++depth;
-        } else if (c == '}' || c == ']') {
-            --depth;
-        }
-    }
-    return std::nullopt;
-}
-
 } // namespace
 
 std::vector<std::string> channel_names(const std::string& path) {
@@ -99,7 +76,7 @@ std::vector<std::string> channel_names(const std::string& path) {
 
 double sampling_frequency(const std::string& path) {
     const std::string text = read_file(path);
-    const double rate = json_number(text, "SamplingFrequency").value_or(0);
+    const double rate = parse_number(json_member(text, "SamplingFrequency")).value_or(0);
     return rate >= lowest_fps && rate <= highest_fps ? rate : 0;
 }
 

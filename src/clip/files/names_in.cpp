@@ -14,6 +14,8 @@ namespace {
 
 /// Opening anything but a regular file, such as a pipe, may wait for its writer.
 bool is_wanted(const std::string& path, Listed wanted) {
+    if (wanted == Listed::all)
+        return true;
     struct stat status {};
     if (::stat(path.c_str(), &status) != 0)
         return false;

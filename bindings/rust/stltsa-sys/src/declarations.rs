@@ -4338,3 +4338,45 @@ fn bindgen_test_layout_stltsa_piece_fact() {
     }
     test_field_repeat();
 }
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_batch {
+    _unused: [u8; 0],
+}
+extern "C" {
+    pub fn stltsa_batch_new(
+        paths: *const *const ::std::os::raw::c_char,
+        count: i64,
+        folder: *const ::std::os::raw::c_char,
+        shard: *const ::std::os::raw::c_char,
+        options: *const stltsa_options,
+        batch: *mut *mut stltsa_batch,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_batch_free(batch: *mut stltsa_batch);
+}
+extern "C" {
+    pub fn stltsa_batch_path(
+        batch: *const stltsa_batch,
+        index: i64,
+    ) -> *const ::std::os::raw::c_char;
+}
+extern "C" {
+    pub fn stltsa_batch_run(
+        batch: *const stltsa_batch,
+        index: i64,
+        clip: *const stltsa_clip,
+        options: *const stltsa_options,
+        kept: *mut i32,
+        row: *mut *mut ::std::os::raw::c_char,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_batch_finish(
+        batch: *const stltsa_batch,
+        rows: *const *const ::std::os::raw::c_char,
+        count: i64,
+        summary: *mut *const ::std::os::raw::c_char,
+    ) -> stltsa_status;
+}

@@ -32,6 +32,7 @@ macro_rules! handles {
 }
 handles! {
     stltsa_options: stltsa_options_free
+    stltsa_batch: stltsa_batch_free
     stltsa_clip: stltsa_clip_free
     stltsa_model: stltsa_model_free
     stltsa_decomposition: stltsa_decomposition_free

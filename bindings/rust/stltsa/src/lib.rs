@@ -24,6 +24,7 @@
 //! * [`Phase`]: a phase for every frame, and signals on 0 to 100 % of each cycle ([`Cycles`]).
 //! * [`Comparison`]: the cycles of two clips, or left and right of one, aligned by phase.
 //! * [`Synthesis`]: new motion from pieces of clips.
+//! * [`Batch`]: many clips, decomposed into files of a folder.
 //! * [`Info`]: everything that a clip or a result says, by key.
 //! * [`Options`]: deviations from the defaults, progress and cancelling.
 //!
@@ -49,6 +50,7 @@
 #![warn(missing_docs, unsafe_op_in_unsafe_fn)]
 
 mod array;
+mod batch;
 mod clip;
 mod comparison;
 mod decomposition;
@@ -71,6 +73,7 @@ mod synthesis;
 mod with_ndarray;
 
 pub use array::{Element, Matrix, View};
+pub use batch::{Batch, BatchRow};
 pub use clip::{Clip, Points, Rotations};
 pub use comparison::Comparison;
 pub use decomposition::Decomposition;

@@ -5,7 +5,7 @@ mod common;
 
 use common::{same_bits, scratch, walker, walker_path};
 use stltsa::{
-    Clip, ErrorKind, Fact, Format, Model, Options, Piece, Quantity, SegmentKind, Synthesis,
+    Batch, Clip, ErrorKind, Fact, Format, Model, Options, Piece, Quantity, SegmentKind, Synthesis,
     UnitKind,
 };
 
@@ -220,4 +220,24 @@ fn pieces_that_follow_each_other_give_the_clip_back() {
     let error = Synthesis::new(&outside, &Options::new()).unwrap_err();
     assert_eq!(error.kind(), ErrorKind::Argument);
     assert_eq!(Synthesis::new(&[], &Options::new()).unwrap_err().kind(), ErrorKind::Argument);
+}
+
+#[test]
+#[ignore = "needs STLTSA_TEST_CLIP"]
+fn a_batch_writes_results_and_keeps_them() {
+    let out = scratch("batch");
+    let paths = [walker_path(), out.join("missing.bvh")];
+    let options = Options::new();
+    for again in [false, true] {
+        let batch = Batch::new(&paths, &out, None, &options).unwrap();
+        let count = batch.paths().len();
+        let rows: Vec<_> = (0..count).map(|clip| batch.run(clip, &options).unwrap()).collect();
+        assert_eq!(rows.iter().filter(|row| row.kept == again && row.error.is_none()).count(), 1);
+        assert_eq!(rows.iter().filter(|row| row.error.is_some()).count(), 1);
+        let table = std::fs::read_to_string(batch.finish(&rows).unwrap()).unwrap();
+        assert_eq!(table.lines().count(), 3);
+        assert_eq!(batch.run(count, &options).unwrap_err().kind(), ErrorKind::Argument);
+    }
+    let error = Batch::new(&paths, &out, Some("3/2"), &options).unwrap_err();
+    assert!(error.message().contains("shard"));
 }
