@@ -122,7 +122,7 @@ def test_progress_can_end_the_batch(clips, tmp_path):
 
 
 def test_a_cluster(clips, tmp_path):
-    distributed = pytest.importorskip("distributed")
+    distributed = pytest.importorskip("distributed", minversion="2023.1")
     stltsa.batch(clips, tmp_path / "one", fps=30)
     with (
         distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as two,

@@ -16,12 +16,9 @@ from sklearn.pipeline import make_pipeline
 from sklearn.preprocessing import StandardScaler
 from sklearn.utils.estimator_checks import parametrize_with_checks
 
-# Checks that cannot hold, each with its reason. Checks that shuffle rows, or pass some of them, do
-# hold although the order of rows is time, because mapping works row by row.
-EXPECTED_FAILURES: dict[str, str] = {}
 
-
-# The checks fit random points, which give many warnings.
+# The checks fit random points, which give many warnings. Checks that shuffle rows, or pass some of
+# them, hold although the order of rows is time, because mapping works row by row.
 @pytest.mark.filterwarnings("ignore::stltsa.QualityWarning")
 @pytest.mark.filterwarnings("ignore:Can't check dok sparse matrix:UserWarning")
 @parametrize_with_checks(
@@ -29,8 +26,7 @@ EXPECTED_FAILURES: dict[str, str] = {}
         STLTSA(n_neighbors=5),
         STLTSA(n_neighbors=5, n_components=1, neighbors="spatial"),
         STLTSA(n_neighbors=3, n_components=1, neighbors="recurrent", links=1),
-    ],
-    expected_failed_checks=lambda _: EXPECTED_FAILURES,
+    ]
 )
 def test_checks_of_sklearn(estimator, check):
     check(estimator)

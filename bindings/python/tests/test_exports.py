@@ -17,7 +17,8 @@ def test_the_frame_is_the_commands_table(result, walker, command, tmp_path):
     out = tmp_path / "units.csv"
     subprocess.run([command, "decompose", walker, "-o", out], check=True, capture_output=True)
     expected = pandas.read_csv(out).fillna({"label": ""})
-    pandas.testing.assert_frame_equal(result.to_frame(), expected, check_exact=True)
+    # Before version 3, pandas rounds some numbers wrongly as it reads them.
+    pandas.testing.assert_frame_equal(result.to_frame(), expected, rtol=1e-12, atol=0)
 
 
 def test_coordinates_on_time_survive_netcdf(result, clip, tmp_path):
@@ -31,9 +32,9 @@ def test_coordinates_on_time_survive_netcdf(result, clip, tmp_path):
     assert list(np.flatnonzero(data.cycle.values == 0)) == list(range(first.begin, first.end))
     assert np.array_equal(data.curve.values[result.frames], result.curve)
     assert data.attrs["stltsa_period"] == result.period
-    data.to_netcdf(tmp_path / "walk.nc")
-    with xarray.open_dataset(tmp_path / "walk.nc") as again:
-        assert again.drop_attrs().load().identical(data.drop_attrs())
+    data.to_netcdf(tmp_path / "walk.nc", engine="scipy")
+    with xarray.open_dataset(tmp_path / "walk.nc", engine="scipy") as again:
+        assert again.load().equals(data)
         assert {k: v for k, v in again.attrs.items() if v != data.attrs[k]} == {}
 
 

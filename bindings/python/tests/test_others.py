@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Files that other programs write and check: `movement`'s writers, and the validator of BIDS.
 
-scripts/check-exports runs these in an environment of their own; elsewhere they are skipped.
+scripts/test-python --pypi has these; elsewhere the tests are skipped.
 """
 
 import json
@@ -15,6 +15,11 @@ import pytest
 
 import stltsa
 
+# movement's dependencies warn of their own use.
+pytestmark = [
+    pytest.mark.filterwarnings("ignore::DeprecationWarning"),
+    pytest.mark.filterwarnings("ignore::FutureWarning"),
+]
 KEYPOINTS = ("nose", "left_ear", "right_ear", "back", "tail_base", "tail_tip")
 FPS = 30
 
