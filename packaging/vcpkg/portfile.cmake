@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # A port for vcpkg. scripts/release replaces the keys between at signs by their values.
-# scripts/check-recipes runs it with stubs of vcpkg's functions. It has not been built, because
+# tests/slow/recipes runs it with stubs of vcpkg's functions. It has not been built, because
 # vcpkg was not available.
 vcpkg_download_distfile(ARCHIVE
     URLS "@HOMEPAGE@/libstltsa-${VERSION}.tar.xz"

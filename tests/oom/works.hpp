@@ -30,7 +30,7 @@ struct Work {
     bool allocates = true; ///< if false, the work must not allocate
 };
 
-/// The functions that the works of oom.cpp do not call (scripts/check-tested compares the calls
+/// The functions that the works of oom.cpp do not call (tests/checks/tested compares the calls
 /// with the header).
 std::vector<Work> other_works();
 

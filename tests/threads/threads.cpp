@@ -379,7 +379,7 @@ void soak(double seconds) {
     const Usage after;
     std::printf(
         "soak: %.0f s, %d rounds, memory %ld to %ld kB, allocated %ld to %ld bytes, threads "
-        "%ld to %ld, files %ld to %ld\n",
+        "%ld to %ld, files %ld to %ld; ",
         passed(), rounds, before.kilobytes, after.kilobytes, before.bytes, after.bytes,
         before.threads, after.threads, before.files, after.files);
     // Without a leak, caches of the heap differ by up to 30 kB, for any number of rounds.

@@ -6,14 +6,14 @@ which names each function below the version that added it.
 
 Addresses must be those of packaging/metadata.
 
-Usage: scripts/check-versions
+Usage: tests/checks/versions.py
 """
 
 import pathlib
 import re
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 SYMBOLS = "packaging/debian/libstltsa0.symbols"
 
 # Each file, and the expression that finds the version in it.

@@ -2,14 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Checks with readelf how the library and the command are linked, as installed from a build.
 
-Usage: check-hardening [--debian] BUILD
+Usage: hardening.py BUILD
+       hardening.py --debian FOLDER
 
 Always checked: the stack is not executable, there are no text relocations, relocations are read-only
 after startup (RELRO), there are no search paths (RPATH, RUNPATH), and the command is
 position-independent.
---debian: a build with Debian's flags (the environment that `DEB_BUILD_MAINT_OPTIONS=hardening=+all
-dpkg-buildflags --export=sh` prints) must also have all symbols bound at startup (BIND_NOW), the stack
-protector and checked functions (_FORTIFY_SOURCE).
+--debian: Debian's packages, unpacked in FOLDER, must also have all symbols bound at startup (BIND_NOW), the
+stack protector and checked functions (_FORTIFY_SOURCE).
 """
 
 import pathlib
@@ -51,22 +51,26 @@ def complaints(file, of_debian):
         yield "no function is checked (_FORTIFY_SOURCE)"
 
 
-def installed(build, folder):
-    """The library and the command of the build, installed below the folder."""
+def install(build, folder):
     subprocess.run(["meson", "install", "-C", build, "--no-rebuild", "--quiet", "--tags", "runtime",
                     "--destdir", folder], check=True, stdout=subprocess.DEVNULL)
+
+
+def installed(folder):
+    """The library and the command below the folder."""
     found = [file for name in ("libstltsa.so.0", "stltsa")
              for file in pathlib.Path(folder).rglob(name) if file.is_file()]
     if [file.name for file in found] != ["libstltsa.so.0", "stltsa"]:
-        sys.exit(f"{build}: the library and the command are not both installed")
+        sys.exit(f"{folder}: the library and the command are not both installed")
     return found
 
 
 def main(arguments):
     of_debian = "--debian" in arguments
-    build = [a for a in arguments if a != "--debian"][0]
     with tempfile.TemporaryDirectory() as folder:
-        found = [(file.name, text) for file in installed(build, folder)
+        if not of_debian:
+            install(arguments[0], folder)
+        found = [(file.name, text) for file in installed(arguments[-1] if of_debian else folder)
                  for text in complaints(file, of_debian)]
     for name, text in found:
         print(f"{name}: {text}", file=sys.stderr)

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Compares the symbols that the library exports with those that its header declares.
 
-Usage: check-symbols stltsa.h stltsa.map libstltsa.so libstltsa.a
+Usage: symbols.py stltsa.h stltsa.map libstltsa.so libstltsa.a
 
 1. The shared library exports exactly the functions that the header declares, each at the version of
    the node that lists it in stltsa.map; the header marks each with STLTSA_API.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks reports in a browser; see scripts/check-report.
+// Checks reports in a browser; see tests/report/check.
 "use strict";
 const fs = require("fs");
 const path = require("path");

@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes clips as glTF binary and gives the files to two programs that others wrote: the Khronos
-validator, which must find no error, and nothing to warn of or hint at (its infos are that no mesh uses
-the skeleton or the points), and Blender's importer, whose frames, bones or objects, and their positions
-at up to 20 frames must be those of the clip. Says which of the two is missing; exit
+"""Gives clips to two programs that others wrote. Blender imports each as glTF binary, which the library
+writes, and each BVH file itself; its frames, bones or objects, and their positions at up to 20 frames must
+be those of the clip. The Khronos validator must find no error in the glTF file, and nothing to warn of or
+hint at (its infos are that no mesh uses the skeleton or the points). Says which of the two is missing; exit
 status 1 if a check fails, 2 if both are missing.
 
-    scripts/check-gltf [--build BUILD] [FILE...]    clips; default: the walker of the build
+    tests/slow/blender.py [--build BUILD] [FILE...]    clips; default: the walker of the build
 
 Needs a completed build in BUILD (default: build), NumPy, python3-cffi and python3-dev; for its checks
 blender (Debian's package, 3.4) in the PATH, and node with the npm package gltf-validator, installed
@@ -29,7 +29,7 @@ try:
 except ImportError:
     bpy = None
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 FARTHEST = 1e-5  # largest distance of a bone's head from its joint, over the largest coordinate
 VALIDATE = """
 const fs = require("fs");
@@ -44,7 +44,7 @@ try { validator = require("gltf-validator"); } catch { process.exit(3); }
 """
 
 
-def placed():
+def placed(bvh):
     """Positions of bones, or of objects without bones, by name, with the y axis up again."""
     armatures = [thing for thing in bpy.data.objects if thing.type == "ARMATURE"]
     if armatures:
@@ -52,27 +52,35 @@ def placed():
                  for bone in armatures[0].pose.bones}
     else:
         heads = {thing.name: thing.matrix_world.translation for thing in bpy.data.objects}
-    return {name: [head.x, head.z, -head.y] for name, head in heads.items()}
+    return {name: list(head) if bvh else [head.x, head.z, -head.y] for name, head in heads.items()}
 
 
-def import_glb(path, fps, shown):
+def import_file(path, fps, shown):
     """Runs in Blender: the number of keys, and the positions at these frames."""
     bpy.ops.wm.read_homefile(use_empty=True)
-    bpy.context.scene.render.fps = max(1, round(fps))
-    bpy.context.scene.render.fps_base = bpy.context.scene.render.fps / fps
-    bpy.ops.import_scene.gltf(filepath=path)
+    bvh = path.endswith(".bvh")
+    if bvh:
+        bpy.ops.import_anim.bvh(filepath=path, axis_forward="Y", axis_up="Z")  # axes as in the file
+    else:
+        bpy.context.scene.render.fps = max(1, round(fps))
+        bpy.context.scene.render.fps_base = bpy.context.scene.render.fps / fps
+        bpy.ops.import_scene.gltf(filepath=path)
     keys = max(len(curve.keyframe_points) for action in bpy.data.actions
                for curve in action.fcurves)
     positions = []
     for frame in shown:
-        bpy.context.scene.frame_set(frame)
-        positions.append(placed())
+        bpy.context.scene.frame_set(frame + bvh)  # it puts the first frame of BVH at 1
+        positions.append(placed(bvh))
     return {"frames": keys, "positions": positions}
 
 
 def run_in_blender(arguments):
+    import builtins
+    import io_anim_bvh.import_bvh
+    # The add-on opens files with mode "rU", which Python 3.11 no longer accepts.
+    io_anim_bvh.import_bvh.open = lambda path, mode: builtins.open(path, "r")
     result, jobs = arguments
-    found = [import_glb(*job) for job in json.loads(pathlib.Path(jobs).read_text())]
+    found = [import_file(*job) for job in json.loads(pathlib.Path(jobs).read_text())]
     pathlib.Path(result).write_text(json.dumps(found))
 
 
@@ -118,7 +126,7 @@ def expected(clip, info, folder):
             np.pad(values.reshape(len(clip), -1, space), ((0, 0), (0, 0), (0, 3 - space))))
 
 
-def agrees(names, positions, shown, seen):
+def agrees(what, names, positions, shown, seen):
     same = seen["frames"] == len(positions) and set(seen["positions"][0]) >= set(names)
     off = float("nan")
     if same:
@@ -126,22 +134,32 @@ def agrees(names, positions, shown, seen):
         off = np.nanmax(np.abs(found - positions[shown])) / np.nanmax(np.abs(positions))
     passed = bool(same and off <= FARTHEST)
     count = len(seen["positions"][0])
-    print(f"Blender: {seen['frames']} of {len(positions)} frames, {count} of {len(names)} names, "
+    print(f"Blender, {what}: {seen['frames']} of {len(positions)} frames, {count} of {len(names)} names, "
           f"distance {off:.1e}: {'pass' if passed else 'FAIL'}")
     return passed
+
+
+def bones(clip, info, seen):
+    """Blender's names of the joints of a BVH file that are not end sites, and their positions."""
+    joints = [j for j, joint in enumerate(info["joints"]) if not joint["end_site"]]
+    names = {name.lower(): name for name in seen["positions"][0]}
+    found = [names.get(clip.joints[j].lower().replace(" ", "_"), clip.joints[j]) for j in joints]
+    return (found if len(names) == len(joints) else ["another number of bones"]), clip.positions[:, joints]
 
 
 def check(build, folder, path, clip, shown, seen, said):
     print(path)
     info = json.loads(subprocess.run([build / "tools" / "stltsa", "info", "--json", path],
                                      check=True, capture_output=True).stdout)
-    passed = seen is None or agrees(*expected(clip, info, folder), shown, seen)
+    passed = seen is None or agrees("glTF", *expected(clip, info, folder), shown, seen[0])
+    if seen is not None and len(seen) > 1:
+        passed = agrees("BVH", *bones(clip, info, seen[1]), shown, seen[1]) and passed
     if said is not None:
         clean = said["numErrors"] + said["numWarnings"] + said["numHints"] == 0
-        print(f"gltf-validator: {said['numErrors']} errors, {said['numWarnings']} warnings, "
-              f"{said['numInfos']} infos, {said['numHints']} hints: {'pass' if clean else 'FAIL'}")
         for message in said["messages"][:3]:
             print(f"  {message['code']} {message.get('pointer', '')}: {message['message']}")
+        print(f"gltf-validator: {said['numErrors']} errors, {said['numWarnings']} warnings, "
+              f"{said['numInfos']} infos, {said['numHints']} hints: {'pass' if clean else 'FAIL'}")
         passed = passed and clean
     return passed
 
@@ -160,22 +178,24 @@ def main():
     clips = [stltsa.read_clip(path) for path in files]
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        jobs = []
+        jobs = []  # one for each clip, or two for BVH
         for i, clip in enumerate(clips):
             glb = str(folder / f"{i}.glb")
             clip.save(glb)
             shown = np.unique(np.linspace(0, len(clip) - 1, 20).astype(int)).tolist()
-            jobs.append((glb, clip.fps, shown))
-        seen = imported(folder, jobs)
-        said = validated([job[0] for job in jobs])
-        passed = [check(options.build, folder, path, clip, shown, seen[i] if seen else None,
-                        said[glb] if said else None)
-                  for i, (path, clip, (glb, _, shown)) in enumerate(zip(files, clips, jobs))]
-    if seen is None:
+            own = [str(pathlib.Path(files[i]).resolve())] if files[i].endswith(".bvh") else []
+            jobs.append([(file, clip.fps, shown) for file in [glb, *own]])
+        found = imported(folder, [job for of_clip in jobs for job in of_clip])
+        said = validated([of_clip[0][0] for of_clip in jobs])
+        seen = found and iter(found)
+        passed = [check(options.build, folder, path, clip, of_clip[0][2],
+                        seen and [next(seen) for _ in of_clip], said and said[of_clip[0][0]])
+                  for path, clip, of_clip in zip(files, clips, jobs)]
+    if found is None:
         print("not checked: Blender is not installed (apt-get install blender)")
     if said is None:
         print("not checked: gltf-validator is not installed (npm install -g gltf-validator)")
-    sys.exit(2 if seen is None and said is None else 0 if all(passed) else 1)
+    sys.exit(2 if found is None and said is None else 0 if all(passed) else 1)
 
 
 if bpy is not None:
