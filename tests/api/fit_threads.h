@@ -26,7 +26,6 @@ static inline stltsa_status fit_in_mode(const stltsa_in* in, int64_t mode, int64
     stltsa_model* model = NULL;
     const stltsa_status status = stltsa_fit(in, NULL, options, &model);
     stltsa_model_free(model);
-    stltsa_options_free(options);
     return status;
 }
 

@@ -11,7 +11,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <dlfcn.h>
@@ -446,32 +445,6 @@ bool survives(const Work& work, const std::string& input, std::int64_t step) {
     return !work.allocates || failures > 0;
 }
 
-/// One of two subjects, whose names are too long for strings without memory.
-stltsa_status choose_subject(const std::string&) {
-    constexpr std::string_view table =
-        "the first of two animals:heel_x,the first of two animals:heel_y,"
-        "the second of two animals:heel_x,the second of two animals:heel_y\n"
-        "1,2,3,4\n2,3,4,5\n3,4,5,6\n4,5,6,7\n";
-    Calls calls;
-    stltsa_options* made = nullptr;
-    stltsa_clip* clip = nullptr;
-    calls.make([&] { return stltsa_options_new(&made); }, made);
-    calls.make([&] {
-        return stltsa_options_set_text(made, STLTSA_OPT_SUBJECT, "the second of two animals");
-    });
-    calls.make(
-        [&] {
-            return stltsa_clip_parse(table.data(), table.size(), STLTSA_FORMAT_CSV, nullptr, made,
-                                     &clip);
-        },
-        clip);
-    const bool chosen =
-        !calls.good() || whole_of(stltsa_clip_info(clip), STLTSA_INFO_CHANNELS) == 2;
-    stltsa_clip_free(clip);
-    stltsa_options_free(made);
-    return chosen ? calls.status() : 1;
-}
-
 } // namespace
 
 /// Usage: test_oom [STEP]: only every STEP-th allocation fails, for a quick run.
@@ -484,7 +457,6 @@ int main(int count, char** arguments) {
                                {"model file", model_file},
                                {"fit file", fit_file},
                                {"open amc", open_amc},
-                               {"choose subject", choose_subject},
                                {"denoise", denoise},
                                {"synthesize", synthesize},
                                {"fit temporal", fit_temporal},

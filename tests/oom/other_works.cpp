@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
+#include <string_view>
 #include <utility>
 
 namespace {
@@ -163,6 +164,32 @@ stltsa_status options(const std::string&) {
     }
     stltsa_options_free(made);
     return calls.status();
+}
+
+/// One of two subjects, whose names are too long for strings without memory.
+stltsa_status choose_subject(const std::string&) {
+    constexpr std::string_view table =
+        "the first of two animals:heel_x,the first of two animals:heel_y,"
+        "the second of two animals:heel_x,the second of two animals:heel_y\n"
+        "1,2,3,4\n2,3,4,5\n3,4,5,6\n4,5,6,7\n";
+    Calls calls;
+    stltsa_options* made = nullptr;
+    stltsa_clip* clip = nullptr;
+    calls.make([&] { return stltsa_options_new(&made); }, made);
+    calls.make([&] {
+        return stltsa_options_set_text(made, STLTSA_OPT_SUBJECT, "the second of two animals");
+    });
+    calls.make(
+        [&] {
+            return stltsa_clip_parse(table.data(), table.size(), STLTSA_FORMAT_CSV, nullptr, made,
+                                     &clip);
+        },
+        clip);
+    const bool chosen =
+        !calls.good() || whole_of(stltsa_clip_info(clip), STLTSA_INFO_CHANNELS) == 2;
+    stltsa_clip_free(clip);
+    stltsa_options_free(made);
+    return chosen ? calls.status() : 1;
 }
 
 stltsa_status describe_clips(const std::string&) {
@@ -380,6 +407,7 @@ stltsa_status constants(const std::string&) {
 
 std::vector<Work> other_works() {
     return {{"options", options},
+            {"choose subject", choose_subject},
             {"describe clips", describe_clips},
             {"derive clips", derive_clips},
             {"dimensions", dimensions},
