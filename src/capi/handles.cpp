@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <utility>
 
 #include "capi/boundary/guard.hpp"
 
@@ -47,9 +46,3 @@ const ltsa::Mapping* mapping_of(const stltsa_model& model) {
 }
 
 } // namespace stltsa::capi
-
-stltsa_comparison::stltsa_comparison(Comparison of)
-    : stltsa_info{&stltsa::capi::comparison_table},
-      Comparison(std::move(of)), left_out{texts.keep(columns.left_out),
-                                          texts.keep(columns.other_left_out)},
-      letters{stltsa::letters_of(motions[0].label), stltsa::letters_of(motions[1].label)} {}

@@ -7,8 +7,10 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "base/names.hpp"
 #include "capi/info/info.hpp"
 #include "ltsa/mapping/mapping.hpp"
 #include "results/compared.hpp"
@@ -90,7 +92,11 @@ struct stltsa_cycles : stltsa_info, stltsa::phase::Resampled {
 };
 
 struct stltsa_comparison : stltsa_info, stltsa::results::Comparison {
-    explicit stltsa_comparison(Comparison of);
+    explicit stltsa_comparison(Comparison of)
+        : stltsa_info{&stltsa::capi::comparison_table},
+          Comparison(std::move(of)), left_out{texts.keep(columns.left_out),
+                                              texts.keep(columns.other_left_out)},
+          letters{stltsa::letters_of(motions[0].label), stltsa::letters_of(motions[1].label)} {}
 
     stltsa::results::Texts texts;   ///< that the next ones are
     const char* const* left_out[2]; ///< names that the other motion lacks

@@ -105,10 +105,6 @@ const char* stltsa_version(void) noexcept {
         STLTSA_VERSION_PATCH);
 }
 
-int32_t stltsa_version_number(void) noexcept {
-    return STLTSA_VERSION_NUMBER;
-}
-
 int32_t stltsa_has(int32_t part) noexcept {
 #ifdef STLTSA_CHOLMOD
     if (part == STLTSA_HAS_CHOLMOD)
