@@ -175,7 +175,7 @@ TEST(every_handle_has_what_the_table_says) {
             if (!row.is_list && count > 1)
                 fail_msg("%s of handle %d: %d values", row.name, handles[h].handle, (int)count);
             if (count > 0 && row.type == STLTSA_TYPE_ARRAY)
-                free(get_array(info, row.key, count - 1));
+                get_array(info, row.key, count - 1);
             having |= count > 0 ? handles[h].handle : 0;
         }
         if ((having | row.handles) != row.handles)

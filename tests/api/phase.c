@@ -229,7 +229,7 @@ static stltsa_clip* new_reaches(void) {
     points.positions = packed_in(values, frames, cols);
     stltsa_clip* clip = NULL;
     must(stltsa_clip_from_points(&points, NULL, &clip));
-    return clip;
+    return keep_clip(clip);
 }
 
 /* Repetitions are compared at equal phases, as cycles are; but only frames of cycles have a phase.

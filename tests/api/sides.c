@@ -175,7 +175,7 @@ static struct walk walk_of_points(const char* right, double raised) {
                               .names = names,
                               .fps = stltsa_clip_fps(clip)};
     must(stltsa_clip_from_points(&of, NULL, &points));
-    return walk_of(points);
+    return walk_of(keep_clip(points));
 }
 
 TEST(a_raised_side_is_seen_in_points) {
