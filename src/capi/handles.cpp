@@ -8,12 +8,6 @@
 
 namespace stltsa::capi {
 
-char* caller_string(const std::string& text) {
-    char* copy = new char[text.size() + 1];
-    std::memcpy(copy, text.c_str(), text.size() + 1);
-    return copy;
-}
-
 void check_rate(double fps) {
     if (!(fps >= clip::lowest_fps && fps <= clip::highest_fps))
         fail(Status::argument, "fps is {}; it must be from {:g} to {:g}", fps, clip::lowest_fps,

@@ -28,9 +28,6 @@ using namespace results;
 
 class OptionsReader;
 
-/// A copy of a text that the caller frees with stltsa_free.
-char* caller_string(const std::string& text);
-
 /// The mapping of the model; null if it kept no frames. Made by the first call, because many models
 /// never map.
 const ltsa::Mapping* mapping_of(const stltsa_model& model);

@@ -37,18 +37,18 @@ SUBROOMS = {
     "clip": ["clip foot_strikes", "text", "files", "body", "features", "arrays", "bvh", "acclaim", "csv", "opensim", "npy",
              "c3d", "gltf", "formats", "read write stretch"],
     "motion": ["curve", "period", "cycles", "behaviors", "recording"],
-    "results": ["facts live", "postures samples parameters summary", "fitted", "denoised decomposed phased events strikes placed",
+    "results": ["facts live texts source_frames", "postures samples parameters summary", "fitted", "denoised decomposed phased events strikes placed",
                 "synthesized stretches turning", "mirror_image",
                 "keep_cycle", "compared_columns", "compared comparison_warnings",
                 "model_file"],
-    "capi": ["boundary", "info", "handles", "options", "facts", "json", "batch",
+    "capi": ["boundary", "info", "handles", "options", "compared_rows", "json", "facts facts_of_results", "batch",
              "clip clip_arrays fit map dimension decompose denoise synthesize model_io phase compare events live report"],
 }
 MATHEMATICS = {"base", "linalg", "ltsa", "motion", "phase"}  # knows nothing of files
 
 LONGEST_FILE = 500
 # Files of src/ that the command is compiled with as well (src/meson.build).
-SHARED = {"base/checkpoint.hpp", "base/formula.hpp", "base/json.hpp", "base/npy_bytes.hpp", "base/side_name.hpp", "base/utf8.hpp", "clip/files/descriptor.hpp", "clip/files/replace_file.hpp"}
+SHARED = {"base/checkpoint.hpp", "base/formula.hpp", "base/json.hpp", "base/names.hpp", "base/npy_bytes.hpp", "base/side_name.hpp", "base/utf8.hpp", "clip/files/descriptor.hpp", "clip/files/replace_file.hpp"}
 PUBLIC = ROOT / "include"  # one header for each language, of any length
 
 # Code that has no place in a library, and why.

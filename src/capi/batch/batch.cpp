@@ -9,6 +9,7 @@
 #include "capi/batch/clips.hpp"
 #include "capi/batch/result.hpp"
 #include "capi/boundary/guard.hpp"
+#include "capi/boundary/structs.hpp"
 #include "capi/handles.hpp"
 #include "capi/json/results.hpp"
 #include "capi/options/reader.hpp"

@@ -5,10 +5,18 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <string>
 
 #include "capi/boundary/guard.hpp"
 
 namespace stltsa::capi {
+
+/// A copy of a text that the caller frees with stltsa_free.
+inline char* caller_string(const std::string& text) {
+    char* copy = new char[text.size() + 1];
+    std::memcpy(copy, text.c_str(), text.size() + 1);
+    return copy;
+}
 
 /// What a caller must know at least: the size and the first field.
 inline void check_size(std::size_t size, const char* name, const char* type) {

@@ -6,7 +6,7 @@
 
 #include "base/warning.hpp"
 #include "capi/boundary/guard.hpp"
-#include "capi/handles.hpp"
+#include "capi/boundary/structs.hpp"
 
 using namespace stltsa;
 using capi::guard;
