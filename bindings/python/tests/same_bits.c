@@ -16,13 +16,13 @@ int main(int argc, char** argv) {
     if (argc != 2)
         return 2;
     if (stltsa_clip_open(argv[1], NULL, &clip) != STLTSA_OK ||
-        stltsa_fit_clip(clip, NULL, &model) != STLTSA_OK ||
-        stltsa_info_int(stltsa_model_info(model), STLTSA_INFO_ROWS, 0, &rows) != STLTSA_OK ||
-        stltsa_info_int(stltsa_model_info(model), STLTSA_INFO_DIMENSION, 0, &cols) != STLTSA_OK)
+        stltsa_fit_clips((const stltsa_clip* const*)&clip, 1, NULL, &model) != STLTSA_OK ||
+        stltsa_info_shape(stltsa_model_info(model), STLTSA_INFO_COORDS, &rows, &cols) != STLTSA_OK)
         return give_up();
     double* coords = malloc((size_t)(rows * cols) * sizeof *coords);
     const stltsa_out out = {coords, rows, cols, 0, 0, STLTSA_F64, 0};
-    if (coords == NULL || stltsa_model_coords(model, &out) != STLTSA_OK)
+    if (coords == NULL ||
+        stltsa_info_array(stltsa_model_info(model), STLTSA_INFO_COORDS, 0, &out) != STLTSA_OK)
         return give_up();
     fwrite(coords, sizeof *coords, (size_t)(rows * cols), stdout);
     free(coords);

@@ -93,7 +93,7 @@ def test_objects_of_the_wrong_type(clip, result):
         (lambda: stltsa.side_of_name(None), "name is None, and must be a string"),
         (lambda: phase.events(250, name=None), "name is None, and must be a string"),
         (lambda: phase.events(250, result), "other is a Decomposition .*must be a Phase"),
-        (lambda: phase.events_like([3]), "a label is the number 3, and must be a stltsa.Event"),
+        (lambda: phase.events_like([3]), "a label is the number 3, and must be a stltsa.FileEvent"),
         (lambda: cycles.compare_left_right([1, 2]), "an entry of names is the number 1, and"),
         (lambda: cycles.compare_left_right("ab"), "names is the string 'ab', and must"),
         (lambda: clip.stretch(3), "what is the number 3, and must be a string"),

@@ -146,7 +146,7 @@ def test_a_stretch_as_c3d_keeps_its_events_unit_and_axis(tmp_path):
     assert (len(again), again.fps) == (180, 100)
     for name in ("channel", "unit", "file_up_axis"):
         assert again.facts[name] == part.facts[name]
-    assert (again.facts["unit"], again.facts["up_axis"]) == ("mm", "z")
+    assert (again.facts["length_unit"], again.facts["up_axis"]) == ("mm", "z")
     assert [e[:2] for e in again.events] == [("Foot Strike", "Left"), ("Start", "")]
     assert [e.seconds for e in again.events] == pytest.approx([0.3, 1.3], abs=1e-4)
     for clip in (part, again):

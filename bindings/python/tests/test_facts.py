@@ -3,8 +3,6 @@
 
 import json
 
-import pytest
-
 import stltsa
 
 
@@ -21,8 +19,8 @@ def test_facts_of_a_model(model):
     facts = model.facts
     assert (facts["neighbors"], facts["window"]) == (model.neighbors, model.window)
     assert (facts["mode"], facts["features"]) == (model.mode, "positions")
-    assert facts["residual"] == (model.residual,)
-    assert facts["warning"] == model.warnings
+    assert [component.residual for component in facts["component"]] == [model.residual]
+    assert tuple(warning.text for warning in facts["warning"]) == model.warnings
     parameters = json.loads(model.to_json())["parameters"]
     assert facts["include_self"] == int(parameters["include_self"])
 
@@ -31,8 +29,8 @@ def test_facts_of_results(clip, model, result, circle):
     assert result.facts["cyclicity"] == result.cyclicity
     assert result.facts["reason"] == result.reason == ""
     denoised = stltsa.denoise(model)
-    assert denoised.facts["gamma"] == pytest.approx(denoised.gamma)
+    assert [column.gamma for column in denoised.facts["column"]] == list(denoised.gamma)
     dimension = stltsa.dimension(circle, neighbors=110)
-    assert dimension.facts["eigenvalue"] == tuple(dimension.eigenvalues)
+    assert dimension.model.facts["eigenvalue"] == tuple(dimension.eigenvalues)
     made = stltsa.synthesize([(clip, 0, 40), (clip, 40, 80)])
-    assert made.facts["piece_end"] == (40, 80)
+    assert [piece.end for piece in made.facts["piece"]] == [40, 80]

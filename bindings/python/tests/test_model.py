@@ -60,7 +60,7 @@ def test_clip_is_mapped_frame_by_frame(clip, model):
 def test_paths_and_lists_are_taken(circle, walker, clip, model):
     assert np.array_equal(stltsa.fit(walker).coords, model.coords)
     assert np.array_equal(model.map(str(walker)).values, model.map(clip).values)
-    assert stltsa.dimension(walker).to_json() == stltsa.dimension(clip).to_json()
+    assert stltsa.dimension(walker).model.to_json() == stltsa.dimension(clip).model.to_json()
     halves = [circle[:150], circle[150:]]
     two = stltsa.fit(halves, neighbors=60)
     assert np.array_equal(two.map(halves).values, two.coords)
@@ -113,7 +113,9 @@ def test_dimension(circle, clip):
     assert found.local_pca == 2
     assert found.eigenvalues[0] == 0
     assert found.local_variances[:2].sum() > 0.99
-    assert json.loads(found.to_json())["format"] == "stltsa-dimension/1"
+    told = json.loads(found.model.to_json())
+    assert told["local_pca"]["dimension"] == 2
+    assert told["eigengap"]["eigenvalues"] == list(found.eigenvalues)
     assert stltsa.dimension(clip).local_pca in (1, 2, 3)
     apart = stltsa.dimension([circle[:150], circle[150:]], neighbors=20)
     assert apart.eigengap is None
@@ -129,7 +131,7 @@ def test_several_clips_are_fitted_together(clip, walker):
     assert both.coords[:rows] == pytest.approx(alone.coords, abs=1e-8)
     assert np.array_equal(both.frames, np.tile(alone.frames, 2))
     assert np.array_equal(both.map(clip).values[alone.frames], both.coords[:rows])
-    assert stltsa.dimension([clip, clip], neighbors=36).facts["rows"] == 2 * rows
+    assert len(stltsa.dimension([clip, clip], neighbors=36).model) == 2 * rows
     with pytest.raises(stltsa.ShapeError, match="only one has a skeleton"):
         stltsa.fit([clip, stltsa.Clip.from_array(alone.coords, 120)])
     with pytest.raises(ValueError, match="a clip of its own"):
@@ -153,8 +155,7 @@ def test_the_period_of_rows_without_a_rate_is_looked_for_in_rows():
     assert json.loads(model.to_json())["parameters"]["period_max_s"] is None
     again = pickle.loads(pickle.dumps(model))
     assert again.period_frames == model.period_frames
-    dimension = stltsa.dimension(rows)
-    assert dimension.facts["neighbors"] == 60
+    assert stltsa.dimension(rows).model.neighbors == 60
     # Nor is the period of a shorter range found.
     assert stltsa.fit(rows, period_max=40).neighbors == 12
     with pytest.raises(stltsa.ArgumentError, match=r"300 frames, longer than .* 250 frames"):

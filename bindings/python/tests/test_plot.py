@@ -68,7 +68,7 @@ def drawn_lines(axes):
 def test_loop(result):
     axes = stltsa.plot.loop(result)
     drawn = {tuple(p) for p in np.concatenate(drawn_lines(axes))}
-    embedded = result.loop[np.any(result.loop != 0, axis=1)]  # the rest is outside the cycles
+    embedded = result.coords[np.any(result.coords != 0, axis=1)]  # the rest is outside the cycles
     assert {tuple(p) for p in embedded} <= drawn
     assert len(drawn) > 4 * len(embedded)  # a smooth line
     numbers = [text for text in texts_of(axes) if text != "start"]  # which has no room here
@@ -94,8 +94,8 @@ def test_each_cyclic_segment_has_its_own_loop():
     assert axes.get_xlabel() == f"first coordinate of the loop of {kept.label}"
     drawn = {tuple(p) for line in drawn_lines(axes) for p in line}
     inside = (found.frames >= kept.begin) & (found.frames < kept.end)
-    assert {tuple(p) for p in found.loop[inside] if p.any()} <= drawn
-    assert not {tuple(p) for p in found.loop[found.frames > kept.end] if p.any()} & drawn
+    assert {tuple(p) for p in found.coords[inside] if p.any()} <= drawn
+    assert not {tuple(p) for p in found.coords[found.frames > kept.end] if p.any()} & drawn
 
 
 def test_no_cycles(no_cycle):

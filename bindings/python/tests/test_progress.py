@@ -49,7 +49,7 @@ def test_finding_comparing_and_saving_can_be_stopped(walker, tmp_path):
     with pytest.raises(LookupError, match="enough of units"):
         phase.events(250, progress=stop)
     with pytest.raises(LookupError, match="enough of units"):
-        phase.events_like([stltsa.Event("Foot Strike", "Left", 2.5)], progress=stop)
+        phase.events_like([stltsa.FileEvent("Foot Strike", "Left", 300, 2.5)], progress=stop)
     with pytest.raises(LookupError, match="enough of units"):
         phase.compare(phase, progress=stop)
     reported = []

@@ -43,7 +43,7 @@ def test_command_tells_the_same(path, command):
     results = {
         "info": clip,
         "fit": stltsa.fit(clip),
-        "dimension": stltsa.dimension(clip),
+        "dimension": stltsa.dimension(clip).model,
         "decompose": stltsa.decompose(clip),
         "denoise": stltsa.denoise(stltsa.fit(clip)),
     }

@@ -17,19 +17,19 @@ def rows(found, **wanted):
     chosen = np.ones(len(table["kind"]), dtype=bool)
     for name, value in wanted.items():
         chosen &= np.asarray(table[name]) == value
-    return {name: np.asarray(table[name])[chosen] for name in stltsa.Statistics._fields}
+    return {name: np.asarray(table[name])[chosen] for name in stltsa.PartStatistics._fields}
 
 
 def test_cycles_of_the_walker_travel(walk):
-    cycles = walk.cycle_facts
+    cycles = walk.cycles
     assert np.asarray(cycles["speed"]) == pytest.approx(126, abs=1.5)
     assert np.asarray(cycles["stride"]) == pytest.approx(126 * 1.1, abs=2)
-    assert np.asarray(cycles["turn"]) == pytest.approx(0, abs=0.5)
+    assert np.asarray(cycles["turn_deg"]) == pytest.approx(0, abs=0.5)
 
 
 def test_statistics_are_those_of_the_parts(walk):
     found = rows(walk, kind="cycle", side=-1, quantity="speed")
-    speed = np.asarray(walk.cycle_facts["speed"])
+    speed = np.asarray(walk.cycles["speed"])
     assert found["mean"][0] == pytest.approx(speed.mean())
     assert found["sd"][0] == pytest.approx(speed.std(ddof=1))
     assert found["cv"][0] == pytest.approx(speed.std(ddof=1) / speed.mean())
@@ -44,4 +44,4 @@ def test_without_a_rate_times_are_in_frames(clip, walk):
     frames = np.asarray(found.cycles["end"]) - np.asarray(found.cycles["begin"])
     assert time["mean"][0] == pytest.approx(frames.mean(), abs=1)
     assert np.isnan(time["trend"]).all()
-    assert not len(rows(found, quantity="way")["mean"])  # numbers have no ground
+    assert not len(rows(found, quantity="path_length")["mean"])  # numbers have no ground

@@ -22,20 +22,40 @@ from . import errors
 from ._batch import BatchRow, batch
 from ._native import lib as _lib
 from ._options import Option, Options, OptionTable, options
-from ._rows import Interval, Part, Segment, Statistics, Summary
+from ._rows import (
+    Bounded,
+    Compared,
+    ComparedMotion,
+    ComparedPart,
+    Component,
+    DenoisedColumn,
+    Estimate,
+    Event,
+    FileEvent,
+    Joint,
+    Part,
+    PieceFact,
+    Seam,
+    Segment,
+    Statistics,
+    Summary,
+    Unit,
+    WarningFact,
+)
+from ._statistics import PartStatistics
 from ._text import names as _names
 from ._text import string as _string
 from .clip import Clip, read_clip
-from .comparison import ComparedPart, Comparison, Difference
+from .comparison import Comparison
 from .decomposition import Decomposition, decompose, report
 from .denoising import Denoising, denoise
 from .dimensions import Dimension, dimension
 from .errors import *  # noqa: F403
-from .events import Event, side_of_name
+from .events import side_of_name
 from .live import Live, LiveFrame
 from .model import Mapped, Model, fit
-from .phase import Cycles, FoundEvent, FoundEvents, Phase, cycles_between
-from .synthesis import Piece, Seam, Synthesis, synthesize, synthesize_loop
+from .phase import Cycles, FoundEvents, Phase, cycles_between
+from .synthesis import Piece, Synthesis, synthesize, synthesize_loop
 
 if TYPE_CHECKING:
     from . import plot, readers
@@ -69,18 +89,23 @@ __version__: str = _string(_lib.stltsa_version())
 __all__ = [  # noqa: PLE0604
     "STLTSA",
     "BatchRow",
+    "Bounded",
     "Clip",
+    "Compared",
+    "ComparedMotion",
     "ComparedPart",
     "Comparison",
+    "Component",
     "Cycles",
     "Decomposition",
+    "DenoisedColumn",
     "Denoising",
-    "Difference",
     "Dimension",
+    "Estimate",
     "Event",
-    "FoundEvent",
+    "FileEvent",
     "FoundEvents",
-    "Interval",
+    "Joint",
     "Live",
     "LiveFrame",
     "Mapped",
@@ -89,13 +114,17 @@ __all__ = [  # noqa: PLE0604
     "OptionTable",
     "Options",
     "Part",
+    "PartStatistics",
     "Phase",
     "Piece",
+    "PieceFact",
     "Seam",
     "Segment",
     "Statistics",
     "Summary",
     "Synthesis",
+    "Unit",
+    "WarningFact",
     "__version__",
     "batch",
     "cycles_between",

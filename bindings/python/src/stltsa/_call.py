@@ -40,8 +40,8 @@ class Call:
     callback is always set, because Ctrl-C relies on it.
     """
 
-    def __init__(self, options: Mapping[str, Any], rate: float = 0.0) -> None:
-        rest = dict(options)
+    def __init__(self, options: Mapping[str, Any] | None = None, rate: float = 0.0) -> None:
+        rest = dict(options or {})
         progress = rest.pop("progress", None)
         out = ffi.new("stltsa_options **")
         check(lib.stltsa_options_new(out))
@@ -89,16 +89,15 @@ def owned(kind: str, pointer: Any) -> Any:
     return ffi.gc(pointer[0], getattr(lib, f"stltsa_{kind}_free"))
 
 
-def json_text(function: Any, handle: Any) -> str:
-    """Return the output of one of the library's ``_json`` functions."""
-    out = ffi.new("char **")
-    check(function(handle, out))
-    try:
-        return string(out[0])
-    finally:
-        lib.stltsa_free(out[0])
-
-
-def texts(count: Any, text: Any, handle: Any) -> tuple[str, ...]:
-    """Return the warnings of a result."""
-    return tuple(string(text(handle, i)) for i in range(count(handle)))
+def made(
+    kind: str,
+    function: Any,
+    *given: Any,
+    options: Mapping[str, Any] | None = None,
+    rate: float = 0.0,
+) -> Any:
+    """Return the new handle of a function whose last arguments are options and a handle."""
+    out = ffi.new(f"stltsa_{kind} **")
+    with Call(options, rate) as call:
+        call.check(function(*given, call.options, out))
+    return owned(kind, out)

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
     from pandas import DataFrame
 
+    from ._rows import Event
     from .clip import Clip
     from .decomposition import Decomposition
     from .phase import FoundEvents
@@ -41,15 +42,14 @@ class Row(NamedTuple):
     duration_s: float
     likeness: float
     confidence: float
-    way: float
+    path_length: float
     stride: float
     speed: float
     turn_deg: float
 
 
 def _row(level: str, kind: str, label: str, part: Any) -> Row:
-    names = ("likeness", "confidence", "way", "stride", "speed", "turn")
-    numbers = (getattr(part, name, float("nan")) for name in names)
+    numbers = (getattr(part, name, float("nan")) for name in Row._fields[8:])
     times = part.begin, part.end, part.begin_s, part.end_s, part.duration_s
     return Row(level, kind, label, *times, *numbers)
 
@@ -57,15 +57,10 @@ def _row(level: str, kind: str, label: str, part: Any) -> Row:
 def rows_of(result: Decomposition) -> list[Row]:
     """Return all rows: segments, then units, cycles and repetitions."""
     segments = result.segment_list
-    begins = [segment.begin for segment in segments]
-
-    def label(begin: int) -> str:
-        return segments[int(np.searchsorted(begins, begin, side="right")) - 1].label
-
     rows = [_row("segment", s.kind, s.label, s) for s in segments]
-    rows += [_row("unit", unit.kind, label(unit.begin), unit) for unit in result.unit_list]
-    for level, parts in (("cycle", result._cycles), ("repetition", result._repetitions)):
-        rows += [_row(level, level, segments[part.segment].label, part) for part in parts]
+    rows += [_row("unit", u.kind, segments[u.segment].label, u) for u in result.unit_list]
+    for level in ("cycle", "repetition"):
+        rows += [_row(level, level, part.label, part) for part in result._rows(level)]
     return rows
 
 
@@ -149,14 +144,16 @@ def _cell(value: Any) -> str:
 
 
 class Moment(NamedTuple):
-    """A found event and its name."""
+    """A found event, its name and its side."""
 
     name: str
-    event: Any  # FoundEvent
+    event: Event
+    side: str
 
 
 def _moments(events: Mapping[str, FoundEvents] | None) -> list[Moment]:
-    moments = [Moment(name, event) for name, found in (events or {}).items() for event in found]
+    named = (events or {}).items()
+    moments = [Moment(name, event, found.side) for name, found in named for event in found]
     return sorted(moments, key=lambda moment: moment.event.seconds)
 
 
@@ -166,7 +163,9 @@ def _bids(rows: list[Row], moments: list[Moment]) -> str:
         (r.begin_s, r.duration_s, r.kind, r.level, r.label, r.likeness, r.confidence, "")
         for r in rows
     ]
-    cells += [(e.seconds, 0.0, name, "event", "", nan, e.confidence, e.side) for name, e in moments]
+    cells += [
+        (e.seconds, 0.0, name, "event", "", nan, e.confidence, side) for name, e, side in moments
+    ]
     lines = ["\t".join(_COLUMNS)]
     lines += ["\t".join(map(_cell, line)) for line in sorted(cells, key=lambda line: line[0])]
     return "\n".join(lines) + "\n"
@@ -183,9 +182,9 @@ def _boris(rows: list[Row], moments: list[Moment], result: Decomposition) -> str
             line = (Path(name).stem, name, result.clip.fps, "No focal subject", r.kind, r.level,
                     what, time, index, r.label)  # fmt: skip
             events.append((time, what == "START", line))
-    for kind, e in moments:
+    for kind, e, side in moments:
         line = (Path(name).stem, name, result.clip.fps, "No focal subject", kind, "event",
-                "POINT", e.seconds, round(e.frame), e.side)  # fmt: skip
+                "POINT", e.seconds, round(e.frame), side)  # fmt: skip
         events.append((e.seconds, True, line))
     return csv_text(head, (line for *_, line in sorted(events, key=lambda e: e[:2])))
 
@@ -224,7 +223,7 @@ def _complete_events(file: Any) -> None:
 
 def _context(moment: Moment) -> tuple[str, str]:
     """Return the context and label of a C3D event, such as Left and Foot Strike."""
-    context = moment.event.side.capitalize() or "General"
+    context = moment.side.capitalize() or "General"
     words = moment.name.split()
     if len(words) > 1 and words[0].capitalize() == context:
         words = words[1:]
@@ -274,8 +273,8 @@ def save_c3d(clip: Clip, path: Path) -> None:
     point["RATE"]["value"] = [clip.fps]
     names = stated["channel"][::3] or [f"p{i + 1}_x" for i in range(values.shape[1])]
     point["LABELS"]["value"] = [name[:-1].rstrip("_. :-") for name in names]
-    if stated["unit"]:
-        point["UNITS"]["value"] = [stated["unit"]]
+    if stated["length_unit"]:
+        point["UNITS"]["value"] = [stated["length_unit"]]
     if stated["file_up_axis"] != "none":
         file.add_parameter("POINT", "Y_SCREEN", [f"+{stated['file_up_axis'].upper()}"])
     missing = np.isnan(values).any(axis=2).T

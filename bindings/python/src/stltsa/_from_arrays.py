@@ -95,7 +95,6 @@ def skeleton_handle(
     words = [None if c is None else c_text(c, "an entry of channels") for c in channels or ()]
     joints = ffi.new("stltsa_joint[]", count)
     for j, joint in enumerate(joints):
-        joint.size = ffi.sizeof("stltsa_joint")
         joint.name, joint.parent = texts[j], int(parents[j])
         joint.offset = places[j].tolist()
         joint.is_end_site = int(ends[j])
@@ -106,6 +105,7 @@ def skeleton_handle(
     check(
         lib.stltsa_clip_from_skeleton(
             joints,
+            ffi.sizeof("stltsa_joint"),
             count,
             _FORMS[array.ndim],
             read_from(rows),

@@ -14,7 +14,7 @@ from ._tables import html_table
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from ._rows import Interval
+    from ._rows import Part, Unit
     from .clip import Clip
     from .decomposition import Decomposition
     from .model import Model
@@ -22,19 +22,19 @@ if TYPE_CHECKING:
 _WIDTH, _HEIGHT = 600, 22
 
 
-def _bar(interval: Interval, frames: int) -> str:
-    x, width = (_WIDTH * v / frames for v in (interval.begin, interval.end - interval.begin))
-    place = f"{interval.begin} .. {interval.end}"
-    if isfinite(interval.begin_s):
-        place = f"{interval.begin_s:.2f} s .. {interval.end_s:.2f} s"
-    text = escape(f"{interval.kind} {place}")
+def _bar(unit: Unit, frames: int) -> str:
+    x, width = (_WIDTH * v / frames for v in (unit.begin, unit.end - unit.begin))
+    place = f"{unit.begin} .. {unit.end}"
+    if isfinite(unit.begin_s):
+        place = f"{unit.begin_s:.2f} s .. {unit.end_s:.2f} s"
+    text = escape(f"{unit.kind} {place}")
     return (
         f'<rect x="{x:.1f}" width="{width:.1f}" height="{_HEIGHT}" '
-        f'fill="{UNIT_COLORS[interval.kind]}"><title>{text}</title></rect>'
+        f'fill="{UNIT_COLORS[unit.kind]}"><title>{text}</title></rect>'
     )
 
 
-def _margin(cycle: Interval, frames: int) -> str:
+def _margin(cycle: Part, frames: int) -> str:
     x = _WIDTH * cycle.begin / frames
     return f'<path d="M{x:.1f} 0v{_HEIGHT}" stroke="#fff" stroke-width="1.5"/>'
 
@@ -49,13 +49,13 @@ def _timeline(result: Decomposition) -> str:
     )
 
 
-def _row(interval: Interval) -> str:
-    color = f'<span style="color:{UNIT_COLORS[interval.kind]}">&#9632;</span>'
+def _row(unit: Unit) -> str:
+    color = f'<span style="color:{UNIT_COLORS[unit.kind]}">&#9632;</span>'
     cells = (
-        f"{color} {escape(interval.kind)}",
-        f"{interval.begin}",
-        f"{interval.end}",
-        *map(_seconds, (interval.begin_s, interval.end_s, interval.duration_s)),
+        f"{color} {escape(unit.kind)}",
+        f"{unit.begin}",
+        f"{unit.end}",
+        *map(_seconds, (unit.begin_s, unit.end_s, unit.duration_s)),
     )
     return "<tr>" + "".join(f"<td>{c}</td>" for c in cells) + "</tr>"
 

@@ -36,6 +36,7 @@ class Keywords(TypedDict, total=False):
     period_max: float | Seconds
     eigengap: float
     variance: float
+    intrinsic: bool
     skeleton: str | os.PathLike[str] | Auto | None
     keep_frames: bool
     map_neighbors: int | Auto | None

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 import operator
 import re
@@ -100,10 +101,11 @@ class Option(NamedTuple):
 _TYPES: dict[int, Any] = names("STLTSA_TYPE_")
 
 
-def _read_option(index: int) -> Option:
+def _read_option(index: int) -> Option | None:
+    """Return an option; None past the last one."""
     info = ffi.new("stltsa_option_info *", {"size": ffi.sizeof("stltsa_option_info")})
-    if lib.stltsa_option_describe(index, info) != 0:
-        raise RuntimeError(string(lib.stltsa_last_error()))
+    if lib.stltsa_option_describe(index, info) != lib.STLTSA_OK:
+        return None
     kind = _TYPES[info.type]
     named = string(info.choices).split() if info.choices else []
     choices = {name: int(value) for name, value in (choice.split("=") for choice in named)}
@@ -123,7 +125,7 @@ def _read_option(index: int) -> Option:
     )
 
 
-_TABLE = {o.name: o for o in map(_read_option, range(lib.stltsa_option_count()))}
+_TABLE = {o.name: o for o in iter(map(_read_option, itertools.count()).__next__, None)}
 
 
 def option_named(name: str) -> Option:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, cast, get_type_hints
 import numpy as np
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Iterator, Mapping, Sequence
 
     from pandas import DataFrame  # without pandas a table is a NumPy record array
 
@@ -22,21 +22,20 @@ def table(
 ) -> DataFrame:
     """Return a DataFrame with a column per field of `kind`, or a record array without pandas.
 
-    ``table["begin"]`` and ``table.begin`` read a column of both. Intervals have a column with their
-    length in seconds, too. `marks` are more columns, by name.
+    ``table["begin"]`` and ``table.begin`` read a column of both. Rows within the rows have columns
+    such as ``speed_mean``. Intervals have a column with their length in seconds, too. `marks` are
+    more columns, by name.
     """
-    marks = marks or {}
-    dtypes = _dtypes(kind)
+    fields = dict(_columns(rows, kind))
     if hasattr(kind, "duration_s"):
-        dtypes["duration_s"] = "f8"
-    fields = {name: [getattr(row, name) for row in rows] for name in dtypes}
-    fields.update({name: list(values) for name, values in marks.items()})
-    dtypes.update(dict.fromkeys(marks, "?"))
+        fields["duration_s"] = "f8", [row.duration_s for row in rows]
+    fields |= {name: ("?", list(values)) for name, values in (marks or {}).items()}
     try:
         import pandas as pd
     except ImportError:
-        return cast("DataFrame", _records(fields, dtypes))
-    return pd.DataFrame(fields).astype({n: t for n, t in dtypes.items() if t not in "UO"})
+        return cast("DataFrame", _records(fields))
+    frame = pd.DataFrame({name: values for name, (_, values) in fields.items()})
+    return frame.astype({name: code for name, (code, _) in fields.items() if code not in "UO"})
 
 
 def frame(rows: Sequence[Any], kind: type[NamedTuple]) -> DataFrame:
@@ -71,13 +70,22 @@ def html_table(rows: Sequence[Sequence[str]]) -> str:
     return f"<table><thead>{lines[0]}</thead><tbody>{''.join(lines[1:])}</tbody></table>"
 
 
-def _dtypes(kind: type[NamedTuple]) -> dict[str, str]:
+def _columns(
+    rows: Sequence[Any], kind: type[Any], before: str = ""
+) -> Iterator[tuple[str, tuple[str, list[Any]]]]:
+    """Return name, dtype and values of each column."""
     codes = {int: "i8", float: "f8", str: "U", bool: "?"}
-    return {name: codes.get(type_, "O") for name, type_ in get_type_hints(kind).items()}
+    for name, hint in get_type_hints(kind).items():
+        values = [getattr(row, name) for row in rows]
+        if hasattr(hint, "_fields"):
+            yield from _columns(values, hint, f"{before}{name}_")
+        else:
+            full = before[:-1] if name == "value" else before + name
+            yield full, (codes.get(hint, "O"), values)
 
 
-def _records(fields: dict[str, list[Any]], codes: dict[str, str]) -> Any:
-    arrays = [_array(fields[name], code) for name, code in codes.items()]
+def _records(fields: dict[str, tuple[str, list[Any]]]) -> Any:
+    arrays = [_array(values, code) for code, values in fields.values()]
     dtype = [(name, array.dtype) for name, array in zip(fields, arrays, strict=True)]
     return np.rec.fromarrays(arrays, dtype=np.dtype(dtype))
 

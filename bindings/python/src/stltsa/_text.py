@@ -12,15 +12,18 @@ from ._native import ffi, lib
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
+_MOST_LABELS = 2**63 - 1  # their numbers are int64_t
+
 
 def string(text: Any) -> str:
-    """Return a text that the library owns."""
-    return str(ffi.string(text).decode("utf-8", "replace"))
+    """Return a text that the library owns; an empty one for NULL."""
+    return str(ffi.string(text).decode("utf-8", "replace")) if text else ""
 
 
 def names(prefix: str) -> dict[int, str]:
     """Return the names of the header's constants with a prefix, by value: ``{1: "bvh", ...}``."""
-    return {getattr(lib, n): n[len(prefix) :].lower() for n in dir(lib) if n.startswith(prefix)}
+    found = (n for n in dir(lib) if n.startswith(prefix))
+    return dict(sorted((getattr(lib, n), n[len(prefix) :].lower()) for n in found))
 
 
 def csv_text(head: Iterable[str], lines: Iterable[Iterable[Any]]) -> str:
@@ -55,3 +58,15 @@ def c_path(path: str | os.PathLike[str]) -> bytes:
     if b"\0" in name:
         raise ValueError(f"{path!r} is not a path: there is a zero in it")
     return name
+
+
+def number_of(label: str) -> int:
+    """Return the number of a label: 0 for A, 26 for AA."""
+    if not (isinstance(label, str) and label.isascii() and label.isalpha() and label.isupper()):
+        raise ValueError(f"label is {label!r}, and must be letters such as 'A'")
+    number = 0
+    for letter in label:
+        number = 26 * number + ord(letter) - ord("A") + 1
+    if number > _MOST_LABELS:
+        raise ValueError(f"label is {label!r}, and no motion has so many labels")
+    return number - 1

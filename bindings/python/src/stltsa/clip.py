@@ -13,15 +13,14 @@ import numpy.typing as npt
 
 from . import _exports, _html
 from ._arrays import FloatArray, IntArray, as_matrix, columns, read_from, write_to
-from ._call import Call, check, owned
-from ._clips import call_on_clips, refuse_groups
+from ._call import Call, check, made, owned
 from ._facts import Described
 from ._from_arrays import points_handle, skeleton_handle
 from ._given import wrong
 from ._native import ffi, lib
 from ._options import rate_given, working_rate
-from ._text import c_path, c_text, names, string
-from .events import Event
+from ._text import c_path, c_text
+from .errors import UnsupportedError
 from .readers import is_dataset, is_points, reader
 
 if TYPE_CHECKING:
@@ -32,8 +31,7 @@ if TYPE_CHECKING:
     from ._keywords import Auto, Features, UpAxis
     from ._options import Options
     from ._progress import Progress
-
-_FORMATS = names("STLTSA_FORMAT_")
+    from ._rows import FileEvent, Joint
 
 
 class Clip(Described):
@@ -210,42 +208,36 @@ class Clip(Described):
     @property
     def format(self) -> str:
         """``"bvh"``, ``"csv"``, ``"c3d"``, ...; of arrays: matrix, points or skeleton."""
-        return _FORMATS.get(lib.stltsa_clip_format(self._handle), "unknown")
+        return self._text("format")
 
     @property
     def channels(self) -> int:
         """Numbers per frame in the file."""
-        return int(lib.stltsa_clip_channels(self._handle))
-
-    def _joint(self, index: int) -> tuple[str, int, bool, tuple[float, ...], str | None]:
-        raw = ffi.new("stltsa_joint *", {"size": ffi.sizeof("stltsa_joint")})
-        check(lib.stltsa_clip_joint(self._handle, index, raw))
-        channels = string(raw.channels) if raw.channels else None
-        return string(raw.name), int(raw.parent), bool(raw.is_end_site), tuple(raw.offset), channels
+        return self._int("channels")
 
     @cached_property
-    def _joints(self) -> tuple[tuple[str, int, bool, tuple[float, ...], str | None], ...]:
-        return tuple(map(self._joint, range(lib.stltsa_clip_joints(self._handle))))
+    def _joints(self) -> tuple[Joint, ...]:
+        return self._rows("joint")
 
     @property
     def joints(self) -> tuple[str, ...]:
         """Names of joints and end sites in file order, parents first; empty without a skeleton."""
-        return tuple(joint[0] for joint in self._joints)
+        return tuple(joint.name for joint in self._joints)
 
     @property
     def parents(self) -> IntArray:
         """Index of the parent of each joint, -1 for the root; shape (joints,)."""
-        return np.array([joint[1] for joint in self._joints], dtype=np.int64)
+        return np.array([joint.parent for joint in self._joints], dtype=np.int64)
 
     @property
     def end_sites(self) -> npt.NDArray[np.bool_]:
         """Which of the joints are end sites; shape (joints,)."""
-        return np.array([joint[2] for joint in self._joints], dtype=np.bool_)
+        return np.array([joint.is_end_site for joint in self._joints], dtype=np.bool_)
 
     @property
     def offsets(self) -> FloatArray:
         """Offset of each joint from its parent, in the parent's axes; shape (joints, 3)."""
-        return np.array([joint[3] for joint in self._joints], dtype=np.float64).reshape(-1, 3)
+        return np.array([joint.offset for joint in self._joints], np.float64).reshape(-1, 3)
 
     @property
     def joint_channels(self) -> tuple[str | None, ...]:
@@ -253,18 +245,12 @@ class Clip(Described):
 
         None if the skeleton is that of an ASF file, whose axes this does not describe.
         """
-        return tuple(joint[4] for joint in self._joints)
+        return tuple(joint.channels for joint in self._joints)
 
-    @cached_property
-    def events(self) -> tuple[Event, ...]:
-        """The events that the file states, in order of time; empty if the rate is unknown."""
-        count = lib.stltsa_clip_event_count(self._handle) if self.fps else 0
-        raw = ffi.new("stltsa_file_event *", {"size": ffi.sizeof("stltsa_file_event")})
-        found = []
-        for index in range(count):
-            check(lib.stltsa_clip_event(self._handle, index, raw))
-            found.append(Event(string(raw.label), string(raw.context), raw.seconds))
-        return tuple(found)
+    @property
+    def events(self) -> tuple[FileEvent, ...]:
+        """The events that the file states, in order of time."""
+        return self._rows("file_event")
 
     def stretch(self, what: str, **options: Unpack[Options]) -> Clip:
         """Return a stretch of the clip, whose frames count from 0 again.
@@ -284,11 +270,10 @@ class Clip(Described):
         stltsa.NoSuchPartError
             The clip lacks it.
         """
-        out = ffi.new("stltsa_clip **")
-        with Call(options, working_rate(self.fps, options)) as call:
-            text = c_text(what, "what")
-            call.check(lib.stltsa_clip_stretch(self._handle, text, call.options, out))
-        return Clip(owned("clip", out), self.path and f"{self.path}:{what}")
+        text, rate = c_text(what, "what"), working_rate(self.fps, options)
+        given = lib.stltsa_clip_stretch, self._handle, text
+        handle = made("clip", *given, options=options, rate=rate)
+        return Clip(handle, self.path and f"{self.path}:{what}")
 
     def mirrored(self, **options: Unpack[Options]) -> Clip:
         """Return the mirror image: what the left side did, the right one does.
@@ -296,15 +281,13 @@ class Clip(Described):
         Joints or points whose names differ in the side only change places. Events that are marked
         on one side are found on the other in the phase of the mirror image. Used: `up_axis`.
         """
-        out = ffi.new("stltsa_clip **")
-        with Call(options) as call:
-            call.check(lib.stltsa_clip_mirror(self._handle, call.options, out))
-        return Clip(owned("clip", out), self.path)
+        return Clip(made("clip", lib.stltsa_clip_mirror, self._handle, options=options), self.path)
 
-    def _per_joint(self, function: Any, numbers: int) -> FloatArray:
-        result = columns(len(self), numbers * len(self._joints))
-        check(function(self._handle, write_to(result)))
-        result = result.reshape(len(self), len(self._joints), numbers)
+    def _per_joint(self, name: str) -> FloatArray:
+        if not self._joints:
+            text = f"a clip of numbers has no skeleton, and so no {name}"
+            raise UnsupportedError(text, lib.STLTSA_E_UNSUPPORTED, "STLTSA_E_UNSUPPORTED")
+        result = self._array(name).reshape(len(self), len(self._joints), -1)
         result.flags.writeable = False
         return result
 
@@ -319,7 +302,7 @@ class Clip(Described):
         stltsa.UnsupportedError
             The clip has no skeleton.
         """
-        return self._per_joint(lib.stltsa_clip_positions, 3)
+        return self._per_joint("positions")
 
     @cached_property
     def rotations(self) -> FloatArray:
@@ -332,7 +315,7 @@ class Clip(Described):
         stltsa.UnsupportedError
             The clip has no skeleton.
         """
-        return self._per_joint(lib.stltsa_clip_rotations, 4)
+        return self._per_joint("rotations")
 
     def features(
         self,
@@ -394,7 +377,7 @@ class Clip(Described):
             _exports.save_c3d(self, Path(path))
             return
         with Call({"progress": progress}) as call:
-            call.check(lib.stltsa_clip_save_with(self._handle, c_path(path), call.options))
+            call.check(lib.stltsa_clip_save(self._handle, c_path(path), call.options))
 
     def __repr__(self) -> str:
         seconds = f", {self.duration:.2f} s at {self.fps:g} fps" if self.fps else ""
@@ -450,10 +433,7 @@ def read_clip(path: str | os.PathLike[str], **options: Unpack[Options]) -> Clip:
         file = Path(text if whole else name)
         clip: Clip = read(file, None if fps == "auto" else fps)._read_from(file)
         return clip if whole else clip.stretch(what, **_without_rate(options))
-    out = ffi.new("stltsa_clip **")
-    with Call(options) as call:
-        call.check(lib.stltsa_clip_open(c_path(path), call.options, out))
-    return Clip(owned("clip", out), text)
+    return Clip(made("clip", lib.stltsa_clip_open_stretch, c_path(path), options=options), text)
 
 
 def _without_rate(options: Any) -> Any:
@@ -481,23 +461,6 @@ def opened(motion: Any, options: Options) -> Any:
     if not is_path:
         return motion
     return read_clip(motion, **_some(options, "fps", "skeleton", "individual", "least_confidence"))
-
-
-def call_on_motion(kind: str, motion: Any, groups: Any, options: Options, out: Any) -> None:
-    """Call a function on frames or clips: one, or a list; `kind` is the middle of its name."""
-    of_frames = getattr(lib, f"stltsa_{kind}")
-    of_clips = getattr(lib, f"stltsa_{kind}_clips")
-    several = isinstance(motion, list | tuple) and len(motion) > 0
-    clips = [opened(each, options) for each in (motion if several else [motion])]
-    are_clips = all(isinstance(clip, Clip) for clip in clips)
-    rate = working_rate(clips[0].fps, options) if are_clips else rate_given(options)
-    with Call(options, rate) as call:
-        if are_clips:
-            refuse_groups(groups, "every Clip is a clip of its own")
-            handles = [clip._handle for clip in clips]
-            call.check(of_clips(handles, len(handles), call.options, out))
-        else:
-            call_on_clips(of_frames, motion, groups, call, out)
 
 
 def _check_rate(clip: Clip, fps: Any) -> None:

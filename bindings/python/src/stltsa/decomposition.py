@@ -8,28 +8,17 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _exports, _html
-from ._arrays import FloatArray, IntArray, columns, write_to
-from ._call import Call, check, owned, texts
+from ._call import Call, made
 from ._facts import Described
 from ._native import ffi, lib
 from ._options import working_rate
-from ._rows import (
-    Interval,
-    Part,
-    Row,
-    Segment,
-    Statistics,
-    Summary,
-    letters,
-    number_of,
-    without_seconds,
-)
-from ._statistics import in_frames, statistics_of
+from ._rows import Part, Segment, Summary, Unit
+from ._statistics import PartStatistics, in_frames, statistics_of
 from ._tables import table
-from ._text import c_path, string
+from ._text import c_path, number_of
 from .clip import Clip, as_clip, one_matrix, opened
 from .comparison import Comparison
-from .errors import in_keywords, warn_of_order
+from .errors import warn_of_order
 from .phase import Phase
 from .readers import is_points
 
@@ -40,6 +29,7 @@ if TYPE_CHECKING:
     from pandas import DataFrame
     from typing_extensions import Unpack
 
+    from ._arrays import FloatArray, IntArray
     from ._given import Matrix, Motion
     from ._options import Options
     from .phase import FoundEvents
@@ -131,10 +121,9 @@ def decompose(motion: Motion, **options: Unpack[Options]) -> Decomposition:
         clip = as_clip(given, rest)
     else:
         clip, rest = _in_frames(given, rest)
-    out = ffi.new("stltsa_decomposition **")
-    with Call(rest, working_rate(clip.fps, rest)) as call:
-        call.check(lib.stltsa_decompose(clip._handle, call.options, out))
-    result = Decomposition(owned("decomposition", out), clip, rest)
+    rate = working_rate(clip.fps, rest)
+    handle = made("decomposition", lib.stltsa_decompose, clip._handle, options=rest, rate=rate)
+    result = Decomposition(handle, clip, rest)
     warn_of_order(result.warnings)
     return result
 
@@ -188,140 +177,63 @@ class Decomposition(Described):
         self._handle = handle
         self.clip = clip
         self._options = options
-
-    def _rows(self, rows: list[Row]) -> tuple[Row, ...]:
-        """Return rows, without seconds if the rate is unknown."""
-        return tuple(rows if self.clip.fps else map(without_seconds, rows))
-
-    def _intervals(self, count: Any, get: Any) -> tuple[Interval, ...]:
-        result, raw = [], ffi.new("stltsa_interval *")
-        for index in range(count(self._handle)):
-            check(get(self._handle, index, raw))
-            kind = string(lib.stltsa_unit_name(raw.kind))
-            result.append(Interval(kind, raw.begin, raw.end, raw.begin_s, raw.end_s))
-        return self._rows(result)
-
-    @property
-    def unit_list(self) -> tuple[Interval, ...]:
-        """The units in temporal order; they cover the clip without gap or overlap."""
-        return self._intervals(lib.stltsa_decomposition_unit_count, lib.stltsa_decomposition_unit)
-
-    @property
-    def cycle_list(self) -> tuple[Interval, ...]:
-        """The cycles in temporal order, back to back within a segment."""
-        return self._intervals(lib.stltsa_decomposition_cycle_count, lib.stltsa_decomposition_cycle)
+        self._timed = bool(clip.fps)
 
     @property
     def segment_list(self) -> tuple[Segment, ...]:
         """The segments in temporal order; they cover the clip without gap or overlap."""
-        result, raw, step = [], ffi.new("stltsa_segment *"), ffi.new("double[2]")
-        for index in range(lib.stltsa_decomposition_segment_count(self._handle)):
-            check(lib.stltsa_decomposition_segment(self._handle, index, raw))
-            check(lib.stltsa_decomposition_first_step(self._handle, index, step, step + 1))
-            result.append(
-                Segment(
-                    kind=string(lib.stltsa_segment_name(raw.kind)),
-                    label=letters(raw.label),
-                    begin=raw.begin,
-                    end=raw.end,
-                    begin_s=raw.begin_s,
-                    end_s=raw.end_s,
-                    number=raw.count,
-                    period_s=raw.period_s or np.nan,
-                    candidate_period_s=raw.candidate_period_s or np.nan,
-                    likeness=raw.likeness,
-                    confidence=raw.confidence,
-                    begin_confidence=raw.begin_confidence,
-                    open_begin=bool(raw.open_begin),
-                    open_end=bool(raw.open_end),
-                    carried_by=self._carriers(index),
-                    reason=string(lib.stltsa_decomposition_segment_reason(self._handle, index)),
-                    first_step_share=step[0],
-                    first_step_margin=step[1],
-                    steps_reason=string(lib.stltsa_decomposition_steps_reason(self._handle, index)),
-                )
-            )
-        return self._rows(result)
-
-    def _carriers(self, segment: int) -> tuple[str, ...]:
-        count = lib.stltsa_decomposition_carrier_count(self._handle, segment)
-        return tuple(
-            string(lib.stltsa_decomposition_carrier(self._handle, segment, index))
-            for index in range(count)
-        )
-
-    def _parts(self, kind: int) -> tuple[Part, ...]:
-        result, raw, travel = [], ffi.new("stltsa_part *"), ffi.new("stltsa_travel *")
-        sides = {lib.STLTSA_SIDE_LEFT: "left", lib.STLTSA_SIDE_RIGHT: "right"}
-        for index in range(lib.stltsa_decomposition_part_count(self._handle, kind)):
-            check(lib.stltsa_decomposition_part(self._handle, kind, index, raw))
-            check(lib.stltsa_decomposition_travel(self._handle, kind, index, travel))
-            result.append(
-                Part(
-                    segment=raw.segment,
-                    cycle=raw.parent,
-                    begin=raw.begin,
-                    end=raw.end,
-                    begin_s=raw.begin_s,
-                    end_s=raw.end_s,
-                    side=raw.side,
-                    side_name=sides.get(lib.stltsa_decomposition_side(self._handle, raw.side), ""),
-                    likeness=raw.likeness,
-                    confidence=raw.confidence,
-                    way=travel.way,
-                    stride=travel.stride,
-                    speed=travel.speed,
-                    turn=travel.turn,
-                )
-            )
-        return self._rows(result)
+        return self._rows("segment")
 
     @property
-    def _cycles(self) -> tuple[Part, ...]:
-        return self._parts(lib.STLTSA_PART_CYCLE)
+    def unit_list(self) -> tuple[Unit, ...]:
+        """The units in temporal order; they cover the clip without gap or overlap."""
+        return self._rows("unit")
 
     @property
-    def _repetitions(self) -> tuple[Part, ...]:
-        return self._parts(lib.STLTSA_PART_REPETITION)
+    def cycle_list(self) -> tuple[Part, ...]:
+        """The cycles in temporal order, back to back within a segment."""
+        return self._rows("cycle")
 
     @property
     def segments(self) -> DataFrame:
-        """The segments as a table: a DataFrame with pandas, otherwise a NumPy record array."""
+        """The segments as a table: a DataFrame with pandas, otherwise a NumPy record array.
+
+        Columns: those of :class:`Segment`, and duration_s. So are the next tables.
+        """
         return table(self.segment_list, Segment)
+
+    @property
+    def units(self) -> DataFrame:
+        """The units as a table: see :class:`Unit`."""
+        return table(self.unit_list, Unit)
+
+    @property
+    def cycles(self) -> DataFrame:
+        """The cycles with side, likeness and travel of each as a table: see :class:`Part`.
+
+        `representative` and `best` mark :attr:`representative_cycle` and :attr:`best_cycle`.
+        """
+        rows = self.cycle_list
+        marks = {
+            mark: [self._int(mark) == i for i in range(len(rows))]
+            for mark in ("representative", "best")
+        }
+        return table(rows, Part, marks)
 
     @property
     def steps(self) -> DataFrame:
         """Halves of cycles in which both sides of the body alternate, as a table."""
-        return table(self._parts(lib.STLTSA_PART_STEP), Part)
+        return table(self._rows("step"), Part)
 
     @property
     def repetitions(self) -> DataFrame:
         """The actions of the segments that repeat with pauses, as a table."""
-        return table(self._repetitions, Part)
-
-    @property
-    def cycle_facts(self) -> DataFrame:
-        """Segment, side, likeness, confidence and travel of each cycle, as a table."""
-        return table(self._cycles, Part)
+        return table(self._rows("repetition"), Part)
 
     @property
     def summary(self) -> DataFrame:
-        """How often and how fast, for each label that repeats, as a table."""
-        result, raw = [], ffi.new("stltsa_summary *")
-        for index in range(lib.stltsa_decomposition_summary_count(self._handle)):
-            check(lib.stltsa_decomposition_summary(self._handle, index, raw))
-            result.append(
-                Summary(
-                    letters(raw.label),
-                    raw.count,
-                    raw.per_minute,
-                    raw.mean_s,
-                    raw.sd_s,
-                    raw.cv,
-                    raw.trend,
-                )
-            )
-        return table(self._rows(result), Summary)
+        """How often and how fast, for each label that repeats, as a table: see :class:`Summary`."""
+        return table(self._rows("summary"), Summary)
 
     @property
     def label_likeness(self) -> FloatArray:
@@ -333,20 +245,11 @@ class Decomposition(Described):
         about 0.65 share a label, except repetitions. NaN for a label with itself if only one
         segment has it.
         """
-        raw, out = ffi.new("stltsa_segment *"), ffi.new("double *")
-        labels = 0
-        for index in range(lib.stltsa_decomposition_segment_count(self._handle)):
-            check(lib.stltsa_decomposition_segment(self._handle, index, raw))
-            labels = max(labels, raw.label + 1)
-        result = np.empty((labels, labels))
-        for label, other in np.ndindex(result.shape):
-            check(lib.stltsa_decomposition_label_likeness(self._handle, label, other, out))
-            result[label, other] = out[0]
-        return result
+        return self._array("label_likeness")
 
     @property
     def statistics(self) -> DataFrame:
-        """Times, ways, strides, speeds and turns of cycles, steps and repetitions, as a table.
+        """Time, path length, stride, speed and turn of cycles, steps and repetitions, as a table.
 
         One row for each label, kind, side and quantity that is known; side -1 is both. Times are in
         seconds, lengths in the unit of the file, turns in degrees. Without a frame rate, times and
@@ -354,42 +257,21 @@ class Decomposition(Described):
         """
         labels = sorted({s.label for s in self.segment_list if s.label}, key=number_of)
         rows = statistics_of(self._handle, labels)
-        if not self.clip.fps:
+        if not self._timed:
             rows = [in_frames(row, _FRAMES_A_SECOND) for row in rows]
-        return table(tuple(rows), Statistics)
+        return table(rows, PartStatistics)
 
-    @property
-    def units(self) -> DataFrame:
-        """The units as a table: a DataFrame with pandas, otherwise a NumPy record array.
-
-        Columns: kind; begin, end in source frames, half-open; begin_s, end_s, duration_s in
-        seconds.
-        """
-        return table(self.unit_list, Interval)
-
-    @property
-    def cycles(self) -> DataFrame:
-        """The cycles as a table with the columns of :attr:`units`, and two marks.
-
-        `representative` and `best` mark :attr:`representative_cycle` and :attr:`best_cycle`.
-        """
-        numbers = range(len(self.cycle_list))
-        marks = {
-            mark: [self._int(mark) == i for i in numbers] for mark in ("representative", "best")
-        }
-        return table(self.cycle_list, Interval, marks)
-
-    def _cycle(self, name: str) -> Interval | None:
+    def _cycle(self, name: str) -> Part | None:
         index = self._int(name)
         return self.cycle_list[index] if index >= 0 else None
 
     @property
-    def representative_cycle(self) -> Interval | None:
+    def representative_cycle(self) -> Part | None:
         """The first cycle of the cyclic segment that lasts longest."""
         return self._cycle("representative")
 
     @property
-    def best_cycle(self) -> Interval | None:
+    def best_cycle(self) -> Part | None:
         """The cycle that is most similar to the others."""
         return self._cycle("best")
 
@@ -412,10 +294,9 @@ class Decomposition(Described):
         >>> len(cycles), cycles.mean.shape[0]
         (3, 101)
         """
-        out = ffi.new("stltsa_phase **")
-        with Call({"progress": self._options.get("progress")}) as call:
-            call.check(lib.stltsa_phase_find(self._handle, call.options, out))
-        return Phase(owned("phase", out), len(self.clip), self.clip.fps)
+        progress = {"progress": self._options.get("progress")}
+        handle = made("phase", lib.stltsa_phase_find, self._handle, options=progress)
+        return Phase(handle, timed=self._timed)
 
     def compare(
         self,
@@ -444,7 +325,7 @@ class Decomposition(Described):
         --------
         >>> import stltsa
         >>> sides = stltsa.decompose("walker.bvh").compare()
-        >>> sides.sides, sides.parts[0].name, sides.parts[0].second_name
+        >>> sides.whole.sides, sides.parts[0].first, sides.parts[0].second
         (True, 'LeftArm', 'RightArm')
         """
         phase = self.phase()
@@ -453,19 +334,18 @@ class Decomposition(Described):
             return phase.compare(
                 second.phase(), label, second_label, samples=samples, progress=progress
             )
-        out = ffi.new("stltsa_comparison **")
-        with Call(self._options, working_rate(self.clip.fps, self._options)) as call:
-            number = -1 if label is None else number_of(label)
-            given = (self.clip._handle, phase._handle, number, samples)
-            call.check(lib.stltsa_compare_left_right(*given, call.options, out))
-        return Comparison(owned("comparison", out), timed=bool(self.clip.fps))
+        number = -1 if label is None else number_of(label)
+        given = lib.stltsa_compare_left_right, self.clip._handle, phase._handle, number, samples
+        rate = working_rate(self.clip.fps, self._options)
+        handle = made("comparison", *given, options=self._options, rate=rate)
+        return Comparison(handle, timed=self._timed)
 
     def to_frame(self) -> DataFrame:
         """Return one table of all segments, units, cycles and repetitions; needs pandas.
 
         Columns, as of the command's ``-o units.csv``: level, kind, label; begin, end in source
-        frames; begin_s, end_s, duration_s in seconds; likeness, confidence (NaN for units); way,
-        stride, speed, turn_deg of cycles and repetitions (see :class:`Part`).
+        frames; begin_s, end_s, duration_s in seconds; likeness, confidence (NaN for units);
+        path_length, stride, speed, turn_deg of cycles and repetitions (see :class:`Part`).
         """
         return _exports.to_frame(self)
 
@@ -567,29 +447,19 @@ class Decomposition(Described):
         step = self._int("frame_step")
         return first + step * np.arange(self._int("rows"))
 
-    def _columns(self, function: Any, count: int) -> FloatArray:
-        result = columns(self._int("rows"), count)
-        check(function(self._handle, write_to(result)))
-        return result
-
     @property
     def curve(self) -> FloatArray:
         """The smoothed coordinate whose margins count; 0 outside cycles; shape (samples,)."""
-        return self._columns(lib.stltsa_decomposition_curve, 1)[:, 0]
+        return self._array("curve")[:, 0]
 
     @property
     def coords(self) -> FloatArray:
-        """The curve and a coordinate a quarter of a cycle behind; shape (samples, 2)."""
-        return self._columns(lib.stltsa_decomposition_coords, 2)
+        """The curve, and itself a quarter of a cycle behind; shape (samples, 2).
 
-    @property
-    def loop(self) -> FloatArray:
-        """The two coordinates of the loop, the paper's Fig. 1; shape (samples, 2).
-
-        Each cyclic segment has coordinates of its own, so the loops of two segments cannot share
-        axes.
+        Together they are the loop of the paper's Fig. 1. Each cyclic segment has coordinates of its
+        own, so the loops of two segments cannot share axes.
         """
-        return self._columns(lib.stltsa_decomposition_loop, 2)
+        return self._array("coords")
 
     @property
     def period(self) -> float:
@@ -633,21 +503,18 @@ class Decomposition(Described):
         return self._of_fit("dimension")
 
     def _of_fit(self, name: str) -> int:
-        return int(next(iter(self._fact(name)), 0))
+        return int(next(iter(self._rows(name)), 0))
 
     @property
     def reason(self) -> str:
         """Why nothing repeats, with the numbers; empty if anything does."""
-        return string(lib.stltsa_decomposition_reason(self._handle))
+        return self._text("reason")
 
     @property
     def warnings(self) -> tuple[str, ...]:
         """Warnings about the result."""
-        count = lib.stltsa_decomposition_warning_count
-        found = in_keywords(texts(count, lib.stltsa_decomposition_warning, self._handle))
-        if self.clip.fps:
-            return found
-        return (_UNKNOWN_RATE, *found)
+        found = super().warnings
+        return found if self._timed else (_UNKNOWN_RATE, *found)
 
     def __repr__(self) -> str:
         units = ", ".join(f"{u.kind} {u.begin}..{u.end}" for u in self.unit_list)

@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
-from ._arrays import FloatArray, IntArray, columns, write_to
-from ._call import Call, check, owned
+from ._call import Call, owned
 from ._clips import call_on_clips, refuse_groups
 from ._facts import Described
 from ._native import ffi, lib
@@ -17,8 +16,10 @@ from .clip import Clip, holds_clips
 from .model import Model, fit
 
 if TYPE_CHECKING:
+    import numpy.typing as npt
     from typing_extensions import Unpack
 
+    from ._arrays import FloatArray, IntArray
     from ._given import Labels, Motions
     from ._options import Options
 
@@ -111,53 +112,48 @@ class Denoising(Described):
             raise ValueError("an array has no poses: give denoise the Clip, its path or its Model")
         return self.model.poses(self.cleaned, hints=np.arange(len(self.points)))
 
-    def _matrix(self, function: Any) -> FloatArray:
-        result = columns(*self.points.shape)
-        check(function(self._handle, write_to(result)))
-        return result
-
-    def _reals(self, name: str) -> FloatArray:
-        return np.array(self._fact(name))
+    def _column(self, name: str) -> npt.NDArray[Any]:
+        return np.array([getattr(column, name) for column in self._rows("column")])
 
     @property
     def curve(self) -> FloatArray:
         """The fitted curve; shape (rows, columns). Use it to find extrema and margins."""
-        return self._matrix(lib.stltsa_denoising_curve)
+        return self._array("curve")
 
     @property
     def cleaned(self) -> FloatArray:
         """The points after equation (1) of the paper; shape (rows, columns)."""
-        return self._matrix(lib.stltsa_denoising_cleaned)
+        return self._array("cleaned")
 
     @property
     def moves(self) -> FloatArray:
         """Displacement of each point, 0 if it was not moved; shape (rows, columns)."""
-        return self._matrix(lib.stltsa_denoising_moves)
+        return self._array("moves")
 
     @property
     def moved(self) -> IntArray:
         """Number of moved points in each column."""
-        return np.array(self._fact("moved"))
+        return self._column("moved")
 
     @property
     def gamma(self) -> FloatArray:
         """Distance from the curve beyond which a point is noisy, for each column."""
-        return self._reals("gamma")
+        return self._column("gamma")
 
     @property
     def shift(self) -> FloatArray:
         """Mean distance of the noisy points, the most by which they move (d_t of the paper)."""
-        return self._reals("shift")
+        return self._column("shift")
 
     @property
     def noise(self) -> FloatArray:
         """Robust standard deviation of the residuals of each column."""
-        return self._reals("noise")
+        return self._column("noise")
 
     @property
     def degrees_of_freedom(self) -> FloatArray:
         """Effective degrees of freedom of the curve of each column."""
-        return self._reals("degrees_of_freedom")
+        return self._column("degrees_of_freedom")
 
     def __repr__(self) -> str:
         rows, cols = self.points.shape

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from ._arrays import FloatArray, as_matrix, read_from, unmasked
-from ._call import check, owned, texts
+from ._call import check, owned
+from ._facts import Described, row_of
 from ._native import ffi, lib
-from ._text import string
+from ._rows import SegmentKind  # noqa: TC001 (read at run time)
 
 if TYPE_CHECKING:
     from .clip import Clip
@@ -34,11 +35,11 @@ class LiveFrame(NamedTuple):
     distance: float
     confidence: float
     known: bool
-    kind: str
+    kind: SegmentKind
     events: tuple[str, ...]
 
 
-class Live:
+class Live(Described):
     """Follow one stream of frames with a model that keeps a mean cycle.
 
     Push one frame after another, each in the form in which it comes: points, rotations of joints,
@@ -67,14 +68,14 @@ class Live:
     4
     """
 
+    _kind = "live"
+
     def __init__(self, model: Model) -> None:
         out = ffi.new("stltsa_live **")
         check(lib.stltsa_live_new(model._handle, out))
         self._handle = owned("live", out)
         self._one = threading.RLock()  # a signal handler may push during a push
-        self.marks: tuple[str, ...] = texts(
-            lib.stltsa_live_mark_count, lib.stltsa_live_mark_name, self._handle
-        )
+        self.marks: tuple[str, ...] = self._rows("mark")
 
     def push(self, features: Any, seconds: float) -> LiveFrame:
         """Take the next frame as features; there is no delay.
@@ -185,16 +186,7 @@ class Live:
         with self._one:
             check(push(self._handle, seconds, *frame, raw))
         passed = tuple(name for i, name in enumerate(self.marks) if raw.passed >> i & 1)
-        return LiveFrame(
-            raw.phase,
-            raw.rate_hz,
-            raw.cycles,
-            raw.distance,
-            raw.confidence,
-            bool(raw.known),
-            string(lib.stltsa_segment_name(raw.kind)),
-            passed,
-        )
+        return row_of(LiveFrame, raw, events=passed)  # type: ignore[no-any-return]
 
 
 def _numbers(values: Any, what: str) -> FloatArray:

@@ -19,13 +19,14 @@ from ._arrays import (
     write_list,
     write_to,
 )
-from ._call import Call, check, owned, texts
-from ._clips import frames_and_lengths
+from ._call import Call, check, made, owned
+from ._clips import call_on_clips, frames_and_lengths, refuse_groups
 from ._facts import Described
 from ._native import ffi, lib
+from ._options import rate_given, working_rate
 from ._text import c_path, c_text
-from .clip import Clip, call_on_motion, opened
-from .errors import ShapeError, UnsupportedError, advice, in_keywords, warn_of_order
+from .clip import Clip, opened
+from .errors import ShapeError, UnsupportedError, advice, warn_of_order
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -107,7 +108,17 @@ def fit(motion: Motions, *, groups: Labels | None = None, **options: Unpack[Opti
 def fitted(motion: Any, groups: Any, options: Options) -> Model:
     """Return the model of :func:`fit`, which raises no warnings."""
     out = ffi.new("stltsa_model **")
-    call_on_motion("fit", motion, groups, options, out)
+    several = isinstance(motion, list | tuple) and len(motion) > 0
+    clips = [opened(each, options) for each in (motion if several else [motion])]
+    are_clips = all(isinstance(clip, Clip) for clip in clips)
+    rate = working_rate(clips[0].fps, options) if are_clips else rate_given(options)
+    with Call(options, rate) as call:
+        if are_clips:
+            refuse_groups(groups, "every Clip is a clip of its own")
+            handles = [clip._handle for clip in clips]
+            call.check(lib.stltsa_fit_clips(handles, len(handles), call.options, out))
+        else:
+            call_on_clips(lib.stltsa_fit, motion, groups, call, out)
     return Model(owned("model", out))
 
 
@@ -155,18 +166,18 @@ class Model(Described):
     @property
     def mode(self) -> str:
         """``"temporal"``, ``"spatial"`` or ``"recurrent"``."""
-        return str(self._fact("mode")[0])
+        return self._text("mode")
 
     @property
     def n_components(self) -> int:
         """Number of components of the neighborhood graph; each has its own coordinates."""
-        return self._int("components")
+        return len(self._rows("component"))
 
     @property
     def frames(self) -> IntArray:
         """Source frame of each row, in its clip if there are several; shape (rows,)."""
-        first, step = self._fact("first_frame"), self._fact("frame_step")
-        lengths = self._fact("length") if len(first) > 1 else (len(self),)
+        first, step = self._rows("first_frame"), self._rows("frame_step")
+        lengths = self._rows("length") if len(first) > 1 else (len(self),)
         return np.concatenate(
             [f + s * np.arange(rows) for f, s, rows in zip(first, step, lengths, strict=True)]
         )
@@ -194,19 +205,17 @@ class Model(Described):
     @property
     def residual(self) -> float:
         """Largest relative residual of the eigenvectors."""
-        return float(max(self._fact("residual")))
+        return float(max(component.residual for component in self._rows("component")))
 
     @property
     def error_estimate(self) -> float:
         """Estimated angle to the exact embedding of these neighborhoods, in radians."""
-        return float(max(self._fact("error_estimate")))
+        return float(max(each.error_estimate_rad for each in self._rows("component")))
 
     @property
     def coords(self) -> FloatArray:
         """The curve; shape (rows, d). Columns are centered and of norm 1 in each component."""
-        result = columns(len(self), self.dimension)
-        check(lib.stltsa_model_coords(self._handle, write_to(result)))
-        return result
+        return self._array("coords")
 
     @property
     def eigenvalues(self) -> FloatArray:
@@ -214,23 +223,12 @@ class Model(Described):
 
         The first is zero; NaN if a component is too small to have as many.
         """
-        result = columns(self.n_components, self.dimension + 2)
-        check(lib.stltsa_model_eigenvalues(self._handle, write_to(result)))
-        return result
+        return self._array("eigenvalues")
 
     @property
     def components(self) -> IntArray:
         """Component of each row, counted from 0; shape (rows,)."""
-        labels = np.empty(len(self), dtype=np.int64)
-        check(lib.stltsa_model_components(self._handle, write_list(labels)))
-        return labels
-
-    @property
-    def warnings(self) -> tuple[str, ...]:
-        """Warnings about the result."""
-        return in_keywords(
-            texts(lib.stltsa_model_warning_count, lib.stltsa_model_warning, self._handle)
-        )
+        return self._integers("component_of")
 
     def map(
         self, motion: Motions, *, hints: Labels | None = None, **options: Unpack[Options]
@@ -378,7 +376,8 @@ class Model(Described):
         """
         # A copy, because other threads and calls with progress functions may be using the handle.
         changed = Model.from_bytes(self.to_bytes())._handle
-        check(lib.stltsa_model_keep_cycle(changed, phase._handle))
+        with Call() as call:
+            call.check(lib.stltsa_model_keep_cycle(changed, phase._handle, call.options))
         for name, frame in (marks or {}).items():
             text = c_text(name, "the name of a mark")
             check(lib.stltsa_model_keep_mark(changed, phase._handle, frame, text))
@@ -387,7 +386,7 @@ class Model(Described):
     @property
     def has_cycle(self) -> bool:
         """Whether the model keeps a mean cycle."""
-        return bool(lib.stltsa_model_has_cycle(self._handle))
+        return bool(self._int("has_cycle"))
 
     def to_bytes(self) -> bytes:
         """Return the model as bytes: versioned, checksummed, the same on every machine."""
@@ -413,14 +412,13 @@ class Model(Described):
 
     def save(self, path: Path) -> None:
         """Write the model to a file, completely or not at all; the command `stltsa` can read it."""
-        check(lib.stltsa_model_save(self._handle, c_path(path)))
+        with Call() as call:
+            call.check(lib.stltsa_model_save(self._handle, c_path(path), call.options))
 
     @classmethod
     def load(cls, path: Path) -> Model:
         """Read a model written by :meth:`save` or ``stltsa fit -o``."""
-        out = ffi.new("stltsa_model **")
-        check(lib.stltsa_model_load(c_path(path), out))
-        return cls(owned("model", out))
+        return cls(made("model", lib.stltsa_model_load, c_path(path)))
 
     def __reduce__(self) -> tuple[Any, tuple[bytes]]:
         return Model.from_bytes, (self.to_bytes(),)

@@ -4,36 +4,26 @@
 from __future__ import annotations
 
 import warnings
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._arrays import (
-    FloatArray,
-    IntArray,
-    as_matrix,
-    columns,
-    read_from,
-    read_list,
-    write_list,
-    write_to,
-)
-from ._call import Call, check, owned, rebuilt, texts
+from ._arrays import FloatArray, IntArray, as_matrix, columns, read_from, read_list, write_to
+from ._call import check, made, rebuilt
+from ._facts import Described
 from ._given import wrong
 from ._native import ffi, lib
-from ._rows import number_of
-from ._text import c_text
+from ._rows import Event, FileEvent
+from ._text import c_text, number_of
 from .comparison import Comparison
 from .errors import ArgumentError, QualityWarning
-from .events import Event, side_of_name
+from .events import side_of_name
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
     from ._given import Matrix
     from ._progress import Progress
-
-_NULL = ffi.NULL
 
 
 def _signals(values: Any) -> Any:
@@ -69,33 +59,27 @@ def cycles_between(borders: Any, signals: Matrix, *, samples: int = 101) -> Cycl
     """
     given = _signals(signals)
     at = np.ascontiguousarray(borders, dtype=np.float64).reshape(-1, 1)
-    out = ffi.new("stltsa_cycles **")
-    check(lib.stltsa_cycles_between(read_from(at), read_from(given), samples, out))
-    return Cycles(owned("cycles", out), samples, given.shape[1])
+    return Cycles(
+        made("cycles", lib.stltsa_cycles_between, read_from(at), read_from(given), samples)
+    )
 
 
-class FoundEvent(NamedTuple):
-    """A moment that was marked elsewhere.
+class _EventsHandle(Described):
+    _kind = "events"
 
-    `frame` is not rounded; `seconds` is NaN if the frame rate is unknown; `cycle` is an index among
-    :attr:`Decomposition.cycles`, -1 outside cycles; `confidence`, 0 to 1, ranks events by the size
-    of their likely errors; `marked` is true for a mark itself; `side` is ``"left"``, ``"right"`` or
-    ``""``, as the name of the mark states (see :meth:`Phase.events_like`).
-    """
-
-    frame: float
-    seconds: float
-    cycle: int
-    confidence: float
-    marked: bool
-    side: str = ""
+    def __init__(self, handle: Any, *, timed: bool) -> None:
+        self._handle = handle
+        self._timed = timed
 
 
-class FoundEvents(tuple[FoundEvent, ...]):
+class FoundEvents(tuple[Event, ...]):
     """Events in order of time.
 
     Attributes
     ----------
+    side : str
+        ``"left"``, ``"right"`` or ``""``, as the name of the mark states (see
+        :meth:`Phase.events_like`).
     likeness : float
         Correlation of the mean cycles of the two clips; 1 within a clip. Below 0.95 trust events
         less; below 0.6 it is another motion, and there are none.
@@ -104,88 +88,68 @@ class FoundEvents(tuple[FoundEvent, ...]):
         are linear in time.
     """
 
+    side: str
     likeness: float
     warnings: tuple[str, ...]
 
     def __new__(cls, handle: Any, timed: bool = True, side: str = "") -> FoundEvents:
         """Read the events of a handle; without seconds if they are not `timed`."""
-        found, raw = [], ffi.new("stltsa_event *", {"size": ffi.sizeof("stltsa_event")})
-        for index in range(lib.stltsa_events_count(handle)):
-            check(lib.stltsa_events_event(handle, index, raw))
-            found.append(
-                FoundEvent(
-                    raw.frame,
-                    raw.seconds if timed else np.nan,
-                    raw.cycle,
-                    raw.confidence,
-                    bool(raw.marked),
-                    side,
-                )
-            )
-        events = super().__new__(cls, found)
-        events.likeness = lib.stltsa_events_likeness(handle)
-        events.warnings = texts(lib.stltsa_events_warning_count, lib.stltsa_events_warning, handle)
+        found = _EventsHandle(handle, timed=timed)
+        events = super().__new__(cls, found._rows("event"))
+        events.side = side
+        events.likeness = found._real("likeness")
+        events.warnings = found.warnings
         return events
 
     def __reduce__(self) -> Any:
         return rebuilt, (type(self), tuple(self), self.__dict__)
 
 
-class Cycles:
+class Cycles(Described):
     """Signals on 0 to 100 % of each cycle, with mean and spread over the cycles."""
 
-    def __init__(self, handle: Any, samples: int, signals: int) -> None:
+    _kind = "cycles"
+
+    def __init__(self, handle: Any) -> None:
         self._handle = handle
-        self._shape = samples, signals
 
     def __len__(self) -> int:
-        return int(lib.stltsa_cycles_count(self._handle))
-
-    def _pair(self, function: Any, index: int, rows: int, cols: int) -> FloatArray:
-        """Return the first or second output of a function."""
-        result = columns(rows, cols)
-        outputs = [_NULL, _NULL]
-        outputs[index] = write_to(result)
-        check(function(self._handle, *outputs))
-        return result
+        return len(self.distance)
 
     @property
     def mean(self) -> FloatArray:
         """Mean over the cycles; shape (samples, columns)."""
-        return self._pair(lib.stltsa_cycles_mean, 0, *self._shape)
+        return self._array("mean")
 
     @property
     def sd(self) -> FloatArray:
         """Standard deviation over the cycles; shape (samples, columns). NaN of a single cycle."""
-        return self._pair(lib.stltsa_cycles_mean, 1, *self._shape)
+        return self._array("deviation")
 
     @property
     def each(self) -> FloatArray:
         """All cycles; shape (cycles, samples, columns)."""
-        result = np.empty((len(self), *self._shape))
-        for index, values in enumerate(result):
-            check(lib.stltsa_cycles_cycle(self._handle, index, write_to(values)))
-        return result
+        return np.stack([self._array("values", index) for index in range(len(self))])
 
     @property
     def frames(self) -> FloatArray:
         """The frame of each sample, not rounded; shape (cycles, samples)."""
-        return self._pair(lib.stltsa_cycles_times, 0, len(self), self._shape[0])
+        return self._array("sample_frames")
 
     @property
     def warp(self) -> FloatArray:
         """How much later each sample is than in linear time, as a share of the cycle."""
-        return self._pair(lib.stltsa_cycles_times, 1, len(self), self._shape[0])
+        return self._array("warp")
 
     @property
     def distance(self) -> FloatArray:
         """Distance of each cycle from the mean, as a share of the mean cycle's deviation."""
-        return self._pair(lib.stltsa_cycles_distance, 0, len(self), 1)[:, 0]
+        return self._array("distance")[:, 0]
 
     @property
     def column_distance(self) -> FloatArray:
         """Distance of each cycle from the mean in each column, in its unit."""
-        return self._pair(lib.stltsa_cycles_distance, 1, len(self), self._shape[1])
+        return self._array("column_distance")
 
     def group_distance(self, owners: Sequence[str]) -> dict[str, FloatArray]:
         """Distance of each cycle from the mean in each joint, in its unit.
@@ -247,53 +211,47 @@ class Cycles:
         >>> knees = np.stack([np.sin(turn), 0.8 * np.sin(turn - np.pi)], axis=1)
         >>> cycles = stltsa.cycles_between([0, 100, 200, 300], knees)
         >>> (pair,) = cycles.compare_left_right(["knee_l", "knee_r"], fps=100).parts
-        >>> round(pair.ratio[0], 3), abs(round(pair.lag.difference, 3))
+        >>> round(pair.amplitude_ratio.value, 3), abs(round(pair.lag.difference, 3))
         (0.8, 0.0)
         """
         if isinstance(names, str):
             raise TypeError(f"names is the string {names!r}, and must be a sequence of strings")
         texts = [c_text(name, "an entry of names") for name in names]
-        if len(texts) != self._shape[1]:
-            raise ValueError(f"names has {len(texts)} entries; there are {self._shape[1]} columns")
-        out = ffi.new("stltsa_comparison **")
-        given = (self._handle, ffi.new("char *[]", texts), fps or 0, _NULL)
-        check(lib.stltsa_cycles_compare_left_right(*given, out))
-        return Comparison(owned("comparison", out), timed=bool(fps))
+        signals = self.mean.shape[1]
+        if len(texts) != signals:
+            raise ValueError(f"names has {len(texts)} entries; there are {signals} columns")
+        given = (self._handle, ffi.new("char *[]", texts), fps or 0)
+        handle = made("comparison", lib.stltsa_cycles_compare_left_right, *given)
+        return Comparison(handle, timed=bool(fps))
 
     def __repr__(self) -> str:
-        samples, signals = self._shape
+        samples, signals = self.mean.shape
         return f"<Cycles: {len(self)} of {samples} samples x {signals}>"
 
 
-class Phase:
+class Phase(Described):
     """Where each frame lies on the mean cycle of its motion, in turns.
 
     The phase rises strictly. Cycle k of the decomposition goes from phase 0 to 1: borders lie at
     phase 0 on average, and within about 1 % of it.
     """
 
-    def __init__(self, handle: Any, frames: int, fps: float) -> None:
-        self._handle = handle
-        self._frames = frames
-        self._fps = fps
+    _kind = "phase"
 
-    def _fill(self, index: int, values: FloatArray | IntArray) -> None:
-        outputs = [_NULL, _NULL, _NULL]
-        outputs[index] = write_list(values)
-        check(lib.stltsa_phase_values(self._handle, *outputs))
+    def __init__(self, handle: Any, *, timed: bool) -> None:
+        self._handle = handle
+        self._timed = timed
 
     @property
     def values(self) -> FloatArray:
         """Phase of each frame in [0, 1); NaN outside cycles."""
-        values = np.empty(self._frames)
-        self._fill(0, values)
-        return values
+        return self._array("phase")[:, 0]
 
     def zero(self, label: str = "A") -> float:
         """Return the phase at which the body is at the same place in every clip and person.
 
         It does not depend on where cycles begin: the legs pass each other there, if the sides of
-        the body are known and swing.
+        the body are known and swing. It is 0 for repetitions.
 
         Parameters
         ----------
@@ -305,33 +263,27 @@ class Phase:
         stltsa.ArgumentError
             The label has neither cycles nor repetitions.
         """
-        zero = ffi.new("double *")
-        check(lib.stltsa_phase_zero(self._handle, number_of(label), zero))
-        return float(zero[0])
+        zeros = dict(enumerate(self._rows("phase_zero")))
+        zero = zeros.get(number_of(label), np.nan)
+        if np.isnan(zero):
+            text = f"label {label} has neither cycles nor repetitions"
+            raise ArgumentError(text, lib.STLTSA_E_ARGUMENT, "STLTSA_E_ARGUMENT")
+        return float(zero)
 
     @property
     def residual(self) -> FloatArray:
         """Distance from the mean cycle, as a share of the deviation; NaN outside cycles."""
-        residual = np.empty(self._frames)
-        self._fill(1, residual)
-        return residual
+        return self._array("phase_residual")[:, 0]
 
     @property
     def cycle(self) -> IntArray:
         """Index of the cycle of each frame among :attr:`Decomposition.cycles`; -1 outside."""
-        cycle = np.empty(self._frames, dtype=np.int64)
-        self._fill(2, cycle)
-        return cycle
+        return self._integers("phase_cycle")
 
     @property
     def column_owners(self) -> tuple[str, ...]:
         """The joint, point or column of the file that each column of the features belongs to."""
-        return texts(lib.stltsa_phase_column_count, lib.stltsa_phase_column_owner, self._handle)
-
-    @property
-    def warnings(self) -> tuple[str, ...]:
-        """About motions whose phase is linear in time: their mean cycle explains too little."""
-        return texts(lib.stltsa_phase_warning_count, lib.stltsa_phase_warning, self._handle)
+        return self._rows("owner")
 
     def compare(
         self,
@@ -371,16 +323,14 @@ class Phase:
         >>> import stltsa
         >>> first, second = (stltsa.decompose(f"walker.bvh:{part}") for part in ("0-", "150-"))
         >>> compared = first.phase().compare(second.phase())
-        >>> compared.likeness > 0.99, abs(compared["LeftFoot"].lag.difference) < 0.01
+        >>> compared.whole.likeness > 0.99, abs(compared["LeftFoot"].lag.difference) < 0.01
         (True, True)
         """
         labels = (-1 if each is None else number_of(each) for each in (label, second_label))
         first_number, second_number = labels
-        out = ffi.new("stltsa_comparison **")
-        motions = (self._handle, first_number, second._handle, second_number)
-        with Call({"progress": progress}) as call:
-            call.check(lib.stltsa_compare_with(*motions, samples, call.options, out))
-        return Comparison(owned("comparison", out), timed=bool(self._fps and second._fps))
+        given = (self._handle, first_number, second._handle, second_number, samples)
+        handle = made("comparison", lib.stltsa_compare, *given, options={"progress": progress})
+        return Comparison(handle, timed=self._timed and second._timed)
 
     def events(
         self,
@@ -429,16 +379,14 @@ class Phase:
         side = side_of_name(name)
         if other is not None and not isinstance(other, Phase):
             raise wrong("other", other, "a Phase, the result of Decomposition.phase")
-        out = ffi.new("stltsa_events **")
-        target = _NULL if other is None else other._handle
-        marked = (self._handle, read_from(at), target)
-        with Call({"progress": progress}) as call:
-            call.check(lib.stltsa_events_find_with(*marked, call.options, out))
-        return FoundEvents(owned("events", out), (other or self)._fps > 0, side)
+        target = other or self
+        given = (self._handle, read_from(at), target._handle)
+        handle = made("events", lib.stltsa_events_find, *given, options={"progress": progress})
+        return FoundEvents(handle, target._timed, side)
 
     def events_like(
         self,
-        labels: Iterable[Event],
+        labels: Iterable[FileEvent],
         other: Phase | None = None,
         *,
         progress: Progress = False,
@@ -447,7 +395,7 @@ class Phase:
 
         Parameters
         ----------
-        labels : iterable of Event
+        labels : iterable of FileEvent
             Such as :attr:`Clip.events`. A label is left out if it lies in no motion that repeats,
             and so is a name whose labels are spread all over the cycle.
         other : Phase, optional
@@ -467,25 +415,14 @@ class Phase:
 
         Raises
         ------
-        stltsa.ArgumentError
-            The frame rate is unknown, and labels are in seconds.
         stltsa.ShapeError
             The features of the clips differ.
         """
         marks: dict[str, list[float]] = {}
         for label in labels:
-            if not isinstance(label, Event):
-                raise wrong("a label", label, "a stltsa.Event")
-            marks.setdefault(f"{label.context} {label.label}".strip(), []).append(
-                label.seconds * self._fps
-            )
-        if marks and not self._fps > 0:
-            raise ArgumentError(
-                "labels are in seconds, but the frame rate of the clip is unknown: give fps when "
-                "the clip is read",
-                lib.STLTSA_E_ARGUMENT,
-                "STLTSA_E_ARGUMENT",
-            )
+            if not isinstance(label, FileEvent):
+                raise wrong("a label", label, "a stltsa.FileEvent")
+            marks.setdefault(f"{label.context} {label.label}".strip(), []).append(label.frame)
         found = {}
         for name, frames in marks.items():
             events = self._events_like(name, frames, other, progress)
@@ -559,13 +496,9 @@ class Phase:
             The signals have another number of frames.
         """
         given = _signals(signals)
-        out = ffi.new("stltsa_cycles **")
-        check(
-            lib.stltsa_cycles_resample(
-                self._handle, number_of(label), read_from(given), samples, out
-            )
-        )
-        return Cycles(owned("cycles", out), samples, given.shape[1])
+        motion = (self._handle, number_of(label), read_from(given), samples)
+        return Cycles(made("cycles", lib.stltsa_cycles_resample, *motion))
 
     def __repr__(self) -> str:
-        return f"<Phase: {self._frames} frames, {int((self.cycle >= 0).sum())} in cycles>"
+        cycle = self.cycle
+        return f"<Phase: {len(cycle)} frames, {int((cycle >= 0).sum())} in cycles>"

@@ -38,7 +38,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from ._arrays import FloatArray
-    from ._rows import Interval, Segment
+    from ._rows import Part, Segment, Unit
 
 __all__ = ["cycles", "loop", "units"]
 
@@ -77,7 +77,7 @@ def _axes_to_draw_in(given: Any, height: float) -> Iterator[Any]:
         yield plt.subplots(figsize=size, dpi=200, layout="constrained")[1]
 
 
-def _span(result: Decomposition, interval: Interval) -> tuple[float, float]:
+def _span(result: Decomposition, interval: Part | Unit) -> tuple[float, float]:
     """Return begin and end on the time axis, which counts frames if the rate is unknown."""
     if result.clip.fps:
         return interval.begin_s, interval.end_s
@@ -112,15 +112,19 @@ def _checked(result: Decomposition, name: str, *, cycles: bool = True) -> Decomp
 
 def _drawn_values(result: Decomposition) -> FloatArray:
     """Return curve and loop in three columns, with NaN where nothing was fitted."""
-    values = np.column_stack([result.curve, result.loop])
+    values = np.column_stack([result.curve, result.coords])
     values[(values == 0).all(axis=1)] = np.nan
     return values
 
 
+def _representative(result: Decomposition) -> Part:
+    """Return the representative cycle of a result with cycles."""
+    return result.cycle_list[result._int("representative")]
+
+
 def _looped(result: Decomposition) -> Segment:
     """Return the segment of the representative cycle."""
-    at = int(result.facts["representative"])
-    return result.segment_list[int(result.cycle_facts["segment"][at])]
+    return result.segment_list[_representative(result).segment]
 
 
 def _shown_samples(result: Decomposition) -> slice:
@@ -128,7 +132,7 @@ def _shown_samples(result: Decomposition) -> slice:
 
     Another curve, of its segment or of the next, has other coordinates.
     """
-    cycle = result.cycle_list[int(result.facts["representative"])]
+    cycle = _representative(result)
     segment, frames = _looped(result), result.frames
     known = np.isfinite(_drawn_values(result)[:, 0])
     gaps = np.flatnonzero(~known | (frames < segment.begin) | (frames > segment.end))
@@ -137,7 +141,7 @@ def _shown_samples(result: Decomposition) -> slice:
     return slice(begin, gaps[gaps >= middle].min(initial=len(frames)))
 
 
-def _singled_out(result: Decomposition) -> Interval | None:
+def _singled_out(result: Decomposition) -> Part | None:
     """Return the representative cycle, or None if there are fewer than three cycles."""
     return result.representative_cycle if len(result.cycle_list) > 2 else None
 
@@ -147,7 +151,7 @@ def _is_dense(result: Decomposition) -> bool:
     return len(result.cycle_list) > _MOST_CYCLES
 
 
-def _unit_slices(result: Decomposition) -> list[tuple[Interval, slice]]:
+def _unit_slices(result: Decomposition) -> list[tuple[Unit, slice]]:
     """Return the samples of each unit plus the first of the next, so that lines meet."""
     found = []
     for unit in result.unit_list:
@@ -289,7 +293,7 @@ def loop(result: Decomposition, *, ax: Axes | None = None, numbers: int = 24) ->
     """
     result = _checked(result, "loop")
     shown = _shown_samples(result)
-    coords, frames = result.loop, result.frames
+    coords, frames = result.coords, result.frames
     line, chosen, dense = _smooth(coords[shown]), _singled_out(result), _is_dense(result)
     with _axes_to_draw_in(ax, 0.82 * _COLUMN) as axes:
         directed = line

@@ -5,10 +5,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
-from ._call import Call, check, owned, texts
+from ._call import made
 from ._facts import Described
 from ._given import wrong
 from ._native import ffi, lib
+from ._rows import Seam
 from ._tables import table
 from .clip import Clip
 from .decomposition import Decomposition, decompose
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
 
     from ._given import Motion
     from ._options import Options
-    from ._rows import Interval, Part, Segment
+    from ._rows import Part, Segment, Unit
 
 
 class Piece(NamedTuple):
@@ -41,7 +42,7 @@ class Piece(NamedTuple):
     repeat: int = 1
 
     @classmethod
-    def of(cls, clip: Clip, interval: Interval | Segment | Part, repeat: int = 1) -> Piece:
+    def of(cls, clip: Clip, interval: Unit | Segment | Part, repeat: int = 1) -> Piece:
         """Return the frames of a unit or a cycle as a piece."""
         if not isinstance(clip, Clip):
             raise wrong("clip", clip, "a Clip: call read_clip")
@@ -50,29 +51,6 @@ class Piece(NamedTuple):
                 "interval", interval, "a row such as result.best_cycle or result.unit_list[0]"
             )
         return cls(clip, interval.begin, interval.end, repeat)
-
-
-class Seam(NamedTuple):
-    """A join of two pieces, or of a piece and its own repetition.
-
-    `frame` is the first frame of the new clip from the later piece, or, of a loop's wrap from its
-    last frame to its first, the number of frames; `piece` and `next` are the two
-    pieces; the earlier one ends before `cut_end`, the later one begins at `cut_begin`; `crossfade`
-    frames to each side are blended. `posture`: distance of the postures relative to the typical
-    distance between repetitions of one motion; at 1 they are equally similar. `step` and
-    `acceleration`: largest values near the seam over the pieces' 95th percentiles; up to 1 the seam
-    is invisible.
-    """
-
-    frame: int
-    piece: int
-    next: int
-    cut_end: int
-    cut_begin: int
-    crossfade: int
-    posture: float
-    step: float
-    acceleration: float
 
 
 _USED = ("crossfade", "cut_range", "posture_limit", "loop", "in_place", "up_axis", "progress")
@@ -119,10 +97,8 @@ def synthesize(pieces: Iterable[_Given], **options: Unpack[Options]) -> Synthesi
     for target, piece in zip(raw, wanted, strict=True):
         target.clip = piece.clip._handle
         target.begin, target.end, target.repeat = piece.begin, piece.end, piece.repeat
-    out = ffi.new("stltsa_synthesis **")
-    with Call(options) as call:
-        call.check(lib.stltsa_synthesize(raw, len(wanted), call.options, out))
-    return Synthesis(owned("synthesis", out))
+    given = lib.stltsa_synthesize, raw, len(wanted)
+    return Synthesis(made("synthesis", *given, options=options))
 
 
 def synthesize_loop(motion: Decomposition | Motion, **options: Unpack[Options]) -> Synthesis:
@@ -161,10 +137,8 @@ def synthesize_loop(motion: Decomposition | Motion, **options: Unpack[Options]) 
     """
     found = motion if isinstance(motion, Decomposition) else decompose(motion, **options)
     used = {name: value for name, value in options.items() if name in _USED}
-    out = ffi.new("stltsa_synthesis **")
-    with Call(used) as call:
-        call.check(lib.stltsa_synthesize_loop(found.clip._handle, found._handle, call.options, out))
-    return Synthesis(owned("synthesis", out))
+    given = lib.stltsa_synthesize_loop, found.clip._handle, found._handle
+    return Synthesis(made("synthesis", *given, options=used))
 
 
 def _as_piece(values: Any) -> Piece:
@@ -191,22 +165,12 @@ class Synthesis(Described):
     @property
     def seam_list(self) -> tuple[Seam, ...]:
         """The seams in temporal order."""
-        result = []
-        for index in range(lib.stltsa_synthesis_seam_count(self._handle)):
-            raw = ffi.new("stltsa_seam *", {"size": ffi.sizeof("stltsa_seam")})
-            check(lib.stltsa_synthesis_seam(self._handle, index, raw))
-            result.append(Seam(*(getattr(raw, name) for name in Seam._fields)))
-        return tuple(result)
+        return self._rows("seam")
 
     @property
     def seams(self) -> DataFrame:
         """The seams as a table: a DataFrame with pandas, otherwise a NumPy record array."""
         return table(self.seam_list, Seam)
-
-    @property
-    def warnings(self) -> tuple[str, ...]:
-        """Warnings about the result."""
-        return texts(lib.stltsa_synthesis_warning_count, lib.stltsa_synthesis_warning, self._handle)
 
     def __repr__(self) -> str:
         return f"<Synthesis: {len(self.clip)} frames, {len(self.seam_list)} seams>"
