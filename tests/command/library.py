@@ -1,78 +1,48 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The C interface through ctypes: structs, calls, and handles with their facts by name."""
+"""The C interface through ctypes: structs, calls, and handles with what they say by name."""
 
 import ctypes
 import json
 import os
-from ctypes import (
-    byref, c_char_p, c_double, c_int32, c_int64, c_size_t, c_void_p)
+import pathlib
+import re
+from ctypes import POINTER, Structure, byref, c_char_p, c_double, c_int32, c_int64, c_size_t, c_void_p, sizeof
 
 lib = ctypes.CDLL(os.environ["STLTSA_LIBRARY"])
+HEADER = pathlib.Path(os.environ["STLTSA_HEADER"]).read_text()
+
+INT, REAL, TEXT, ROWS, ARRAY = range(1, 6)
+TYPES = {"size_t ": c_size_t, "int32_t ": c_int32, "int64_t ": c_int64, "double ": c_double,
+         "const char *": c_char_p, "const char *const *": POINTER(c_char_p)}
 
 
-class InfoKey(ctypes.Structure):
-    _fields_ = [("size", c_size_t), ("key", c_int32), ("type", c_int32), ("name", c_char_p),
-                ("text", c_char_p), ("choices", c_char_p), ("is_list", c_int32),
-                ("handles", c_int32)]
+def structs():
+    """The structs of the header whose members have these types, or are such structs."""
+    text = re.sub(r"/\*.*?\*/", "", HEADER, flags=re.DOTALL)
+    found = {}
+    for name, body in re.findall(r"typedef struct stltsa_(\w+) \{(.*?)\}", text, re.DOTALL):
+        members = re.findall(r"((?:const )?\w+ (?:\*(?:const \*)?)?)(\w[\w, \[\]]*);", body)
+        types = {**TYPES, **{f"stltsa_{known} ": struct for known, struct in found.items()}}
+        if all(kind in types for kind, _ in members):
+            fields = [(member, types[kind] * int(size) if size else types[kind]) for kind, names in members
+                      for member, size in re.findall(r"(\w+)(?:\[(\d+)\])?", names)]
+            found[name] = type(name, (Structure,), {"_fields_": fields})
+    return found
 
 
-class Interval(ctypes.Structure):
-    _fields_ = [("begin", c_int64), ("end", c_int64), ("begin_s", c_double), ("end_s", c_double),
-                ("kind", c_int32), ("segment", c_int32)]
+STRUCTS = structs()
+LISTS = dict((key.lower(), STRUCTS[struct]) for key, struct in
+             re.findall(r"\bSTLTSA_INFO_(\w+) = \d+,?\s*/\* rows\s+stltsa_(\w+)", HEADER))
+OPTIONS, CONSTANTS = ({name: int(number) for name, number in re.findall(rf"\b{prefix}(\w+) = (-?\d+)", HEADER)}
+                      for prefix in ("STLTSA_OPT_", "STLTSA_"))
 
 
-class Joint(ctypes.Structure):
-    _fields_ = [("size", c_size_t), ("name", c_char_p), ("parent", c_int64),
-                ("offset", c_double * 3), ("channels", c_char_p), ("is_end_site", c_int32),
-                ("reserved", c_int32)]
-
-
-class FileEvent(ctypes.Structure):
-    _fields_ = [("size", c_size_t), ("label", c_char_p), ("context", c_char_p), ("frame", c_double),
-                ("seconds", c_double)]
-
-
-class Segment(ctypes.Structure):
-    _fields_ = [("begin", c_int64), ("end", c_int64), ("begin_s", c_double), ("end_s", c_double),
-                ("count", c_int64), ("likeness", c_double), ("period_s", c_double),
-                ("candidate_period_s", c_double), ("confidence", c_double),
-                ("begin_confidence", c_double), ("kind", c_int32), ("label", c_int32),
-                ("open_begin", c_int32), ("open_end", c_int32)]
-
-
-class Part(ctypes.Structure):
-    _fields_ = [("begin", c_int64), ("end", c_int64), ("begin_s", c_double), ("end_s", c_double),
-                ("segment", c_int64), ("parent", c_int64), ("likeness", c_double),
-                ("confidence", c_double), ("side", c_int32), ("reserved", c_int32)]
-
-
-class Travel(ctypes.Structure):
-    _fields_ = [("way", c_double), ("stride", c_double), ("speed", c_double), ("turn", c_double)]
-
-
-class Statistics(ctypes.Structure):
-    _fields_ = [("count", c_int64), ("mean", c_double), ("sd", c_double), ("cv", c_double),
-                ("trend", c_double)]
-
-
-class Summary(ctypes.Structure):
-    _fields_ = [("count", c_int64), ("per_minute", c_double), ("mean_s", c_double),
-                ("sd_s", c_double), ("cv", c_double), ("trend", c_double), ("label", c_int32),
-                ("reserved", c_int32)]
-
-
-class Piece(ctypes.Structure):
+class Piece(Structure):
     _fields_ = [("clip", c_void_p), ("begin", c_int64), ("end", c_int64), ("repeat", c_int64),
                 ("reserved", c_int64)]
 
 
-class Seam(ctypes.Structure):
-    _fields_ = [("size", c_size_t), *((name, c_int64) for name in (
-        "frame", "piece", "next", "cut_end", "cut_begin", "crossfade")),
-        ("posture", c_double), ("step", c_double), ("acceleration", c_double)]
-
-
-class Out(ctypes.Structure):
+class Out(Structure):
     _fields_ = [("data", c_void_p), ("rows", c_int64), ("cols", c_int64),
                 ("row_stride", c_int64), ("col_stride", c_int64), ("dtype", c_int32),
                 ("reserved", c_int32)]
@@ -95,38 +65,56 @@ def value(name, restype, *arguments):
 
 def described():
     keys = {}
-    for index in range(value("info_key_count", c_int64)):
-        row = InfoKey(size=ctypes.sizeof(InfoKey))
-        call("info_describe", c_int64(index), byref(row))
+    while True:
+        row = STRUCTS["info_key"](size=sizeof(STRUCTS["info_key"]))
+        if value("info_describe", c_int32, c_int64(len(keys)), byref(row)) != 0:
+            return keys
         keys[row.name.decode()] = row
-    return keys
 
 
 KEYS = described()
 
 
 class Handle:
-    """A handle of the library, with its facts by name."""
+    """A handle of the library, with what it says by name."""
 
     def __init__(self, kind, make, *arguments):
-        self.kind, out = kind, c_void_p()
-        call(make, *arguments, byref(out))
-        self.pointer = out
-        self.info = c_void_p(value(kind + "_info", c_void_p, out))
+        self.kind, self.pointer = kind, c_void_p()
+        call(make, *arguments, byref(self.pointer))
+        self.info = c_void_p(value(kind + "_info", c_void_p, self.pointer))
 
     def free(self):
         value(self.kind + "_free", None, self.pointer)
 
+    def count(self, name):
+        return value("info_count", c_int64, self.info, KEYS[name].key)
+
     def list(self, name):
-        key = KEYS[name]
-        type_, function = {1: (c_int64, "info_int"), 2: (c_double, "info_real"),
-                           3: (c_char_p, "info_text")}[key.type]
+        """The values of a key; of rows, structs."""
+        key, count = KEYS[name], self.count(name)
+        if key.type == ROWS:
+            rows = (LISTS[name] * count)()
+            if count:
+                call("info_rows", self.info, key.key, c_int64(0), c_int64(count), rows, c_size_t(sizeof(rows[0])))
+            return list(rows)
+        type_, function = {INT: (c_int64, "info_int"), REAL: (c_double, "info_real"),
+                           TEXT: (c_char_p, "info_text")}[key.type]
         found = []
-        for index in range(value("info_count", c_int64, self.info, key.key)):
+        for index in range(count):
             out = type_()
             call(function, self.info, key.key, c_int64(index), byref(out))
-            found.append(out.value.decode() if key.type == 3 else out.value)
+            found.append(out.value.decode() if key.type == TEXT else out.value)
         return found
+
+    def array(self, name):
+        """The numbers of an array, row by row."""
+        shape = c_int64(), c_int64()
+        call("info_shape", self.info, KEYS[name].key, *map(byref, shape))
+        rows, cols = (length.value for length in shape)
+        data = (c_double * (rows * cols))()
+        out = Out(ctypes.cast(data, c_void_p), rows, cols, 0, 0, CONSTANTS["F64"], 0)
+        call("info_array", self.info, KEYS[name].key, c_int64(0), byref(out))
+        return list(data)
 
     def __getitem__(self, name):
         (found,) = self.list(name)
@@ -143,15 +131,8 @@ class Handle:
 
     def json(self):
         out = c_void_p()
-        call(self.kind + "_json", self.pointer, byref(out))
+        call("info_json", self.info, byref(out))
         try:
             return json.loads(ctypes.string_at(out).decode())
         finally:
             value("free", None, out)
-
-    def rows(self, function, item):
-        for index in range(value(f"{self.kind}_{function}_count", c_int64, self.pointer)):
-            if hasattr(item, "size"):
-                item.size = ctypes.sizeof(item)
-            call(f"{self.kind}_{function}", self.pointer, c_int64(index), byref(item))
-            yield item

@@ -15,7 +15,7 @@ import numpy
 
 from common import CLIPS, SCHEMAS, CommandTest, circle, cut, drift, limbs, markers, run, walk, write_csv
 
-KINDS = {"info": "clip", "fit": "model", "dimension": "dimension", "decompose": "decomposition",
+KINDS = {"info": "clip", "fit": "model", "dimension": "model", "decompose": "decomposition",
          "denoise": "denoising"}
 
 
@@ -284,9 +284,9 @@ class Content(CommandTest):
                 self.assertEqual(float(row["begin_s"]), one["begin_s"])
                 self.assertAlmostEqual(float(row["duration_s"]), one["end_s"] - one["begin_s"])
                 travel = one.get("travel") or {}
-                for key in ("way", "stride", "speed", "turn_deg"):
+                for key in ("path_length", "stride", "speed", "turn_deg"):
                     self.assertEqual(float(row[key]) if row[key] else None, travel.get(key))
-                self.assertEqual(level == "cycle", bool(row["way"]))
+                self.assertEqual(level == "cycle", bool(row["path_length"]))
                 for key in ("likeness", "confidence"):
                     self.assertEqual(float(row[key]) if row[key] else None, one.get(key))
                 segment = found["segments"][one.get("segment", 0)] if level != "segment" else one
@@ -299,7 +299,7 @@ class Content(CommandTest):
         self.assertEqual(len(travels), len(found["cycles"]) + len(found["steps"]))
         for line, part in zip(travels, found["cycles"] + found["steps"], strict=True):
             self.assertEqual(line[2], part["side_name"])
-            self.assertEqual(line[3], f"{part['travel']['way']:.4g}")
+            self.assertEqual(line[3], f"{part['travel']['path_length']:.4g}")
         self.assertEqual(self.done("decompose", walk(), "-o", "-"), table)
 
     def test_steps_name_the_side_in_every_form_of_names(self):
