@@ -144,7 +144,7 @@ def test_a_stretch_as_c3d_keeps_its_events_unit_and_axis(tmp_path):
     part.save(tmp_path / "part.c3d")
     again = stltsa.read_clip(tmp_path / "part.c3d")
     assert (len(again), again.fps) == (180, 100)
-    for name in ("channel", "unit", "file_up_axis"):
+    for name in ("channel", "length_unit", "file_up_axis"):
         assert again.facts[name] == part.facts[name]
     assert (again.facts["length_unit"], again.facts["up_axis"]) == ("mm", "z")
     assert [e[:2] for e in again.events] == [("Foot Strike", "Left"), ("Start", "")]

@@ -29,7 +29,7 @@ def test_facts_of_results(clip, model, result, circle):
     assert result.facts["cyclicity"] == result.cyclicity
     assert result.facts["reason"] == result.reason == ""
     denoised = stltsa.denoise(model)
-    assert [column.gamma for column in denoised.facts["column"]] == list(denoised.gamma)
+    assert [column.gamma for column in denoised.facts["column"]] == list(denoised.columns["gamma"])
     dimension = stltsa.dimension(circle, neighbors=110)
     assert dimension.model.facts["eigenvalue"] == tuple(dimension.eigenvalues)
     made = stltsa.synthesize([(clip, 0, 40), (clip, 40, 80)])

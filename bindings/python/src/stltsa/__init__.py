@@ -18,30 +18,11 @@ from __future__ import annotations
 import importlib
 from typing import TYPE_CHECKING, Any
 
-from . import errors
+from . import _rows, errors
 from ._batch import BatchRow, batch
 from ._native import lib as _lib
 from ._options import Option, Options, OptionTable, options
-from ._rows import (
-    Bounded,
-    Compared,
-    ComparedMotion,
-    ComparedPart,
-    Component,
-    DenoisedColumn,
-    Estimate,
-    Event,
-    FileEvent,
-    Joint,
-    Part,
-    PieceFact,
-    Seam,
-    Segment,
-    Statistics,
-    Summary,
-    Unit,
-    WarningFact,
-)
+from ._rows import *  # noqa: F403
 from ._statistics import PartStatistics
 from ._text import names as _names
 from ._text import string as _string
@@ -89,23 +70,13 @@ __version__: str = _string(_lib.stltsa_version())
 __all__ = [  # noqa: PLE0604
     "STLTSA",
     "BatchRow",
-    "Bounded",
     "Clip",
-    "Compared",
-    "ComparedMotion",
-    "ComparedPart",
     "Comparison",
-    "Component",
     "Cycles",
     "Decomposition",
-    "DenoisedColumn",
     "Denoising",
     "Dimension",
-    "Estimate",
-    "Event",
-    "FileEvent",
     "FoundEvents",
-    "Joint",
     "Live",
     "LiveFrame",
     "Mapped",
@@ -113,18 +84,10 @@ __all__ = [  # noqa: PLE0604
     "Option",
     "OptionTable",
     "Options",
-    "Part",
     "PartStatistics",
     "Phase",
     "Piece",
-    "PieceFact",
-    "Seam",
-    "Segment",
-    "Statistics",
-    "Summary",
     "Synthesis",
-    "Unit",
-    "WarningFact",
     "__version__",
     "batch",
     "cycles_between",
@@ -143,6 +106,7 @@ __all__ = [  # noqa: PLE0604
     "synthesize",
     "synthesize_loop",
     *(name for name in errors.__all__ if name != "error_for"),
+    *_rows.__all__,
 ]
 
 # Loads the modules that import a large package when they are first used.

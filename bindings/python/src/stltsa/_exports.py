@@ -60,7 +60,7 @@ def rows_of(result: Decomposition) -> list[Row]:
     rows = [_row("segment", s.kind, s.label, s) for s in segments]
     rows += [_row("unit", u.kind, segments[u.segment].label, u) for u in result.unit_list]
     for level in ("cycle", "repetition"):
-        rows += [_row(level, level, part.label, part) for part in result._rows(level)]
+        rows += [_row(level, level, part.label, part) for part in result._list(level)]
     return rows
 
 

@@ -134,8 +134,10 @@ class Described:
     """An object of the library; `_kind` is the middle of ``stltsa_<kind>_info``."""
 
     _kind: ClassVar[str]
-    _handle: Any
-    _timed: bool = True  # False: the rate is unknown, so what depends on it is NaN
+
+    def __init__(self, handle: Any, *, timed: bool = True) -> None:
+        self._handle = handle
+        self._timed = timed  # False: the rate is unknown, so what depends on it is NaN
 
     @property
     def facts(self) -> dict[str, Any]:
@@ -148,7 +150,7 @@ class Described:
         for key in _KEYS.values():
             if not key.handles & _HANDLES[self._kind] or key.type == lib.STLTSA_TYPE_ARRAY:
                 continue
-            values = self._rows(key.name)
+            values = self._list(key.name)
             if key.is_list:
                 result[key.name] = values
             elif values:
@@ -158,7 +160,7 @@ class Described:
     @property
     def warnings(self) -> tuple[str, ...]:
         """What a user should know about the result; their times are among the :attr:`facts`."""
-        return in_keywords(warning.text for warning in self._rows("warning"))
+        return in_keywords(warning.text for warning in self._list("warning"))
 
     def to_json(self) -> str:
         """Return all facts as one JSON object; its schema is ``stltsa-<kind>/<version>``."""
@@ -173,7 +175,7 @@ class Described:
         """Return what a handle says; the handle must be kept as long."""
         return getattr(lib, f"stltsa_{self._kind}_info")(handle)
 
-    def _rows(self, name: str) -> tuple[Any, ...]:
+    def _list(self, name: str) -> tuple[Any, ...]:
         """Return the values or rows of a key; none if the object lacks it."""
         handle = self._handle  # owns what is read, and may be replaced by another thread
         key = _KEYS[name]
@@ -184,15 +186,15 @@ class Described:
 
     def _int(self, name: str) -> int:
         """Return an integer that the object has."""
-        return int(self._rows(name)[0])
+        return int(self._list(name)[0])
 
     def _real(self, name: str) -> float:
         """Return a real number that the object has."""
-        return float(self._rows(name)[0])
+        return float(self._list(name)[0])
 
     def _text(self, name: str) -> str:
         """Return a text, or the name of a value, that the object has."""
-        return str(self._rows(name)[0])
+        return str(self._list(name)[0])
 
     def _filled(self, name: str, index: int, dtype: type[Any]) -> npt.NDArray[Any]:
         handle, key = self._handle, _KEYS[name].key

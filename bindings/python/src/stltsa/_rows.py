@@ -7,6 +7,27 @@ from __future__ import annotations
 
 from typing import Annotated, Any, NamedTuple, TypeAlias
 
+__all__ = [
+    "Bounded",
+    "Compared",
+    "ComparedMotion",
+    "ComparedPart",
+    "Component",
+    "DenoisedColumn",
+    "Estimate",
+    "Event",
+    "FileEvent",
+    "Joint",
+    "Part",
+    "PieceFact",
+    "Seam",
+    "Segment",
+    "Statistics",
+    "Summary",
+    "Unit",
+    "WarningFact",
+]
+
 FeaturesKind: TypeAlias = Annotated[str, "STLTSA_FEATURES_"]
 SegmentKind: TypeAlias = Annotated[str, "STLTSA_SEGMENT_"]
 UnitKind: TypeAlias = Annotated[str, "STLTSA_UNIT_"]

@@ -47,7 +47,7 @@ class Clip(Described):
     def __init__(self, handle: Any, path: str | None = None, owner: object = None) -> None:
         if not isinstance(handle, ffi.CData):
             raise wrong("the argument of Clip", handle, "a handle: call read_clip or from_array")
-        self._handle = handle
+        super().__init__(handle)
         self._owner = owner  # owner of the handle, if that is not the clip itself
         self.path = path
 
@@ -217,7 +217,7 @@ class Clip(Described):
 
     @cached_property
     def _joints(self) -> tuple[Joint, ...]:
-        return self._rows("joint")
+        return self._list("joint")
 
     @property
     def joints(self) -> tuple[str, ...]:
@@ -250,7 +250,7 @@ class Clip(Described):
     @property
     def events(self) -> tuple[FileEvent, ...]:
         """The events that the file states, in order of time."""
-        return self._rows("file_event")
+        return self._list("file_event")
 
     def stretch(self, what: str, **options: Unpack[Options]) -> Clip:
         """Return a stretch of the clip, whose frames count from 0 again.

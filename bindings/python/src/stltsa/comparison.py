@@ -43,12 +43,11 @@ class Comparison(Described):
     _kind = "comparison"
 
     def __init__(self, handle: Any, *, timed: bool = True) -> None:
-        self._handle = handle
-        self._timed = timed
-        self.whole: Compared = self._rows("comparison")[0]
-        self.motions: tuple[ComparedMotion, ...] = self._rows("motion")
-        self.parts: tuple[ComparedPart, ...] = self._rows("part")
-        self.channels: tuple[ComparedPart, ...] = self._rows("part_channel")
+        super().__init__(handle, timed=timed)
+        self.whole: Compared = self._list("comparison")[0]
+        self.motions: tuple[ComparedMotion, ...] = self._list("motion")
+        self.parts: tuple[ComparedPart, ...] = self._list("part")
+        self.channels: tuple[ComparedPart, ...] = self._list("part_channel")
         self.mean = tuple(self._array("mean", motion) for motion in (0, 1))
         self.sd = tuple(self._array("deviation", motion) for motion in (0, 1))
         self.difference = self._array("difference")

@@ -174,25 +174,24 @@ class Decomposition(Described):
     _kind = "decomposition"
 
     def __init__(self, handle: Any, clip: Clip, options: dict[str, Any]) -> None:
-        self._handle = handle
+        super().__init__(handle, timed=bool(clip.fps))
         self.clip = clip
         self._options = options
-        self._timed = bool(clip.fps)
 
     @property
     def segment_list(self) -> tuple[Segment, ...]:
         """The segments in temporal order; they cover the clip without gap or overlap."""
-        return self._rows("segment")
+        return self._list("segment")
 
     @property
     def unit_list(self) -> tuple[Unit, ...]:
         """The units in temporal order; they cover the clip without gap or overlap."""
-        return self._rows("unit")
+        return self._list("unit")
 
     @property
     def cycle_list(self) -> tuple[Part, ...]:
         """The cycles in temporal order, back to back within a segment."""
-        return self._rows("cycle")
+        return self._list("cycle")
 
     @property
     def segments(self) -> DataFrame:
@@ -223,17 +222,17 @@ class Decomposition(Described):
     @property
     def steps(self) -> DataFrame:
         """Halves of cycles in which both sides of the body alternate, as a table."""
-        return table(self._rows("step"), Part)
+        return table(self._list("step"), Part)
 
     @property
     def repetitions(self) -> DataFrame:
         """The actions of the segments that repeat with pauses, as a table."""
-        return table(self._rows("repetition"), Part)
+        return table(self._list("repetition"), Part)
 
     @property
     def summary(self) -> DataFrame:
         """How often and how fast, for each label that repeats, as a table: see :class:`Summary`."""
-        return table(self._rows("summary"), Summary)
+        return table(self._list("summary"), Summary)
 
     @property
     def label_likeness(self) -> FloatArray:
@@ -503,7 +502,7 @@ class Decomposition(Described):
         return self._of_fit("dimension")
 
     def _of_fit(self, name: str) -> int:
-        return int(next(iter(self._rows(name)), 0))
+        return int(next(iter(self._list(name)), 0))
 
     @property
     def reason(self) -> str:

@@ -12,14 +12,16 @@ from ._clips import call_on_clips, refuse_groups
 from ._facts import Described
 from ._native import ffi, lib
 from ._options import rate_given
+from ._rows import DenoisedColumn
+from ._tables import table
 from .clip import Clip, holds_clips
 from .model import Model, fit
 
 if TYPE_CHECKING:
-    import numpy.typing as npt
+    from pandas import DataFrame
     from typing_extensions import Unpack
 
-    from ._arrays import FloatArray, IntArray
+    from ._arrays import FloatArray
     from ._given import Labels, Motions
     from ._options import Options
 
@@ -94,7 +96,7 @@ class Denoising(Described):
     _kind = "denoising"
 
     def __init__(self, handle: Any, points: FloatArray, model: Model | None = None) -> None:
-        self._handle = handle
+        super().__init__(handle)
         self.points = points
         self.model = model
 
@@ -112,9 +114,6 @@ class Denoising(Described):
             raise ValueError("an array has no poses: give denoise the Clip, its path or its Model")
         return self.model.poses(self.cleaned, hints=np.arange(len(self.points)))
 
-    def _column(self, name: str) -> npt.NDArray[Any]:
-        return np.array([getattr(column, name) for column in self._rows("column")])
-
     @property
     def curve(self) -> FloatArray:
         """The fitted curve; shape (rows, columns). Use it to find extrema and margins."""
@@ -131,30 +130,13 @@ class Denoising(Described):
         return self._array("moves")
 
     @property
-    def moved(self) -> IntArray:
-        """Number of moved points in each column."""
-        return self._column("moved")
+    def columns(self) -> DataFrame:
+        """Threshold, noise and number of moved points of each column, as a table.
 
-    @property
-    def gamma(self) -> FloatArray:
-        """Distance from the curve beyond which a point is noisy, for each column."""
-        return self._column("gamma")
-
-    @property
-    def shift(self) -> FloatArray:
-        """Mean distance of the noisy points, the most by which they move (d_t of the paper)."""
-        return self._column("shift")
-
-    @property
-    def noise(self) -> FloatArray:
-        """Robust standard deviation of the residuals of each column."""
-        return self._column("noise")
-
-    @property
-    def degrees_of_freedom(self) -> FloatArray:
-        """Effective degrees of freedom of the curve of each column."""
-        return self._column("degrees_of_freedom")
+        See :class:`DenoisedColumn`.
+        """
+        return table(self._list("column"), DenoisedColumn)
 
     def __repr__(self) -> str:
         rows, cols = self.points.shape
-        return f"<Denoising: {rows} rows x {cols}, {int(self.moved.sum())} points moved>"
+        return f"<Denoising: {rows} rows x {cols}, {int((self.moves != 0).sum())} points moved>"

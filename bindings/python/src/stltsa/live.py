@@ -73,9 +73,9 @@ class Live(Described):
     def __init__(self, model: Model) -> None:
         out = ffi.new("stltsa_live **")
         check(lib.stltsa_live_new(model._handle, out))
-        self._handle = owned("live", out)
+        super().__init__(owned("live", out))
         self._one = threading.RLock()  # a signal handler may push during a push
-        self.marks: tuple[str, ...] = self._rows("mark")
+        self.marks: tuple[str, ...] = self._list("mark")
 
     def push(self, features: Any, seconds: float) -> LiveFrame:
         """Take the next frame as features; there is no delay.

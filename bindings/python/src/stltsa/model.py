@@ -137,9 +137,6 @@ class Model(Described):
 
     _kind = "model"
 
-    def __init__(self, handle: Any) -> None:
-        self._handle = handle
-
     def __len__(self) -> int:
         return self._int("rows")
 
@@ -171,13 +168,13 @@ class Model(Described):
     @property
     def n_components(self) -> int:
         """Number of components of the neighborhood graph; each has its own coordinates."""
-        return len(self._rows("component"))
+        return len(self._list("component"))
 
     @property
     def frames(self) -> IntArray:
         """Source frame of each row, in its clip if there are several; shape (rows,)."""
-        first, step = self._rows("first_frame"), self._rows("frame_step")
-        lengths = self._rows("length") if len(first) > 1 else (len(self),)
+        first, step = self._list("first_frame"), self._list("frame_step")
+        lengths = self._list("length") if len(first) > 1 else (len(self),)
         return np.concatenate(
             [f + s * np.arange(rows) for f, s, rows in zip(first, step, lengths, strict=True)]
         )
@@ -205,12 +202,12 @@ class Model(Described):
     @property
     def residual(self) -> float:
         """Largest relative residual of the eigenvectors."""
-        return float(max(component.residual for component in self._rows("component")))
+        return float(max(component.residual for component in self._list("component")))
 
     @property
     def error_estimate(self) -> float:
         """Estimated angle to the exact embedding of these neighborhoods, in radians."""
-        return float(max(each.error_estimate_rad for each in self._rows("component")))
+        return float(max(each.error_estimate_rad for each in self._list("component")))
 
     @property
     def coords(self) -> FloatArray:

@@ -67,10 +67,6 @@ def cycles_between(borders: Any, signals: Matrix, *, samples: int = 101) -> Cycl
 class _EventsHandle(Described):
     _kind = "events"
 
-    def __init__(self, handle: Any, *, timed: bool) -> None:
-        self._handle = handle
-        self._timed = timed
-
 
 class FoundEvents(tuple[Event, ...]):
     """Events in order of time.
@@ -95,7 +91,7 @@ class FoundEvents(tuple[Event, ...]):
     def __new__(cls, handle: Any, timed: bool = True, side: str = "") -> FoundEvents:
         """Read the events of a handle; without seconds if they are not `timed`."""
         found = _EventsHandle(handle, timed=timed)
-        events = super().__new__(cls, found._rows("event"))
+        events = super().__new__(cls, found._list("event"))
         events.side = side
         events.likeness = found._real("likeness")
         events.warnings = found.warnings
@@ -109,9 +105,6 @@ class Cycles(Described):
     """Signals on 0 to 100 % of each cycle, with mean and spread over the cycles."""
 
     _kind = "cycles"
-
-    def __init__(self, handle: Any) -> None:
-        self._handle = handle
 
     def __len__(self) -> int:
         return len(self.distance)
@@ -238,10 +231,6 @@ class Phase(Described):
 
     _kind = "phase"
 
-    def __init__(self, handle: Any, *, timed: bool) -> None:
-        self._handle = handle
-        self._timed = timed
-
     @property
     def values(self) -> FloatArray:
         """Phase of each frame in [0, 1); NaN outside cycles."""
@@ -263,7 +252,7 @@ class Phase(Described):
         stltsa.ArgumentError
             The label has neither cycles nor repetitions.
         """
-        zeros = dict(enumerate(self._rows("phase_zero")))
+        zeros = dict(enumerate(self._list("phase_zero")))
         zero = zeros.get(number_of(label), np.nan)
         if np.isnan(zero):
             text = f"label {label} has neither cycles nor repetitions"
@@ -283,7 +272,7 @@ class Phase(Described):
     @property
     def column_owners(self) -> tuple[str, ...]:
         """The joint, point or column of the file that each column of the features belongs to."""
-        return self._rows("owner")
+        return self._list("owner")
 
     def compare(
         self,

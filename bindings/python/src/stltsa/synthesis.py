@@ -154,9 +154,6 @@ class Synthesis(Described):
 
     _kind = "synthesis"
 
-    def __init__(self, handle: Any) -> None:
-        self._handle = handle
-
     @property
     def clip(self) -> Clip:
         """The new clip."""
@@ -165,7 +162,7 @@ class Synthesis(Described):
     @property
     def seam_list(self) -> tuple[Seam, ...]:
         """The seams in temporal order."""
-        return self._rows("seam")
+        return self._list("seam")
 
     @property
     def seams(self) -> DataFrame:
