@@ -3,7 +3,11 @@
 
 import json
 
+import numpy as np
+
 import stltsa
+from stltsa import _facts, _rows
+from stltsa._native import ffi, lib
 
 
 def test_facts_of_a_clip(clip, walker):
@@ -23,6 +27,17 @@ def test_facts_of_a_model(model):
     assert tuple(warning.text for warning in facts["warning"]) == model.warnings
     parameters = json.loads(model.to_json())["parameters"]
     assert facts["include_self"] == int(parameters["include_self"])
+
+
+def test_lists_are_those_of_the_header(circle):
+    keys = {key.name for key in _facts._KEYS.values() if key.type == lib.STLTSA_TYPE_ROWS}
+    assert set(_rows.LISTS) == keys
+    for struct, kind in _rows.LISTS.values():
+        members = {name for name, _ in ffi.typeof(struct).fields}
+        assert all(name in members or _rows.IN_C[name] in members for name in kind._fields)
+    warnings = stltsa.fit(circle, neighbors=5).facts["warning"]
+    assert "follows-time" in [warning.code for warning in warnings]
+    assert np.isnan(warnings[0].begin_s)
 
 
 def test_facts_of_results(clip, model, result, circle):

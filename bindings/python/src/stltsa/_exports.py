@@ -94,7 +94,7 @@ def to_xarray(result: Decomposition, dataset: Any) -> Any:
         "cycle": _per_frame(len(clip), -1, ((c, i) for i, c in enumerate(result.cycle_list))),
     }
     answer = dataset.assign_coords({name: ("time", v) for name, v in coordinates.items()})
-    facts = {n: getattr(result, n) for n in ("period", "neighbors", "window", "reason")}
+    facts = {n: getattr(result, n) for n in ("period", "cyclicity", "reason")}
     return answer.assign_attrs({f"stltsa_{name}": value for name, value in facts.items()})
 
 

@@ -12,13 +12,13 @@ from typing import TYPE_CHECKING, Any, NamedTuple, cast, get_type_hints
 import numpy as np
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping, Sequence
+    from collections.abc import Iterable, Iterator, Mapping, Sequence
 
     from pandas import DataFrame  # without pandas a table is a NumPy record array
 
 
 def table(
-    rows: Sequence[Any], kind: type[NamedTuple], marks: Mapping[str, Sequence[bool]] | None = None
+    rows: Sequence[Any], kind: type[NamedTuple], marks: Mapping[str, Iterable[bool]] | None = None
 ) -> DataFrame:
     """Return a DataFrame with a column per field of `kind`, or a record array without pandas.
 

@@ -10,7 +10,7 @@ from ._facts import Described
 from ._native import ffi, lib
 from ._rows import Compared, ComparedMotion, ComparedPart
 from ._tables import frame
-from ._text import c_path
+from ._text import c_path, c_text
 
 if TYPE_CHECKING:
     import os
@@ -99,7 +99,7 @@ class Comparison(Described):
             raise ValueError("a comparison that was pickled cannot write a report: compare again")
         if not self._timed:
             raise ValueError("a report is in seconds, and a frame rate is unknown: give fps=")
-        text = ffi.NULL if command is None else ffi.new("char[]", command.encode())
+        text = ffi.NULL if command is None else c_text(command, "command")
         with Call() as call:
             given = self._handle, call.options, text, c_path(path)
             call.check(lib.stltsa_comparison_report_save(*given))

@@ -15,7 +15,7 @@ from ._options import working_rate
 from ._rows import Part, Segment, Summary, Unit
 from ._statistics import PartStatistics, in_frames, statistics_of
 from ._tables import table
-from ._text import c_path, number_of
+from ._text import c_path, c_text, number_of
 from .clip import Clip, as_clip, one_matrix, opened
 from .comparison import Comparison
 from .errors import warn_of_order
@@ -213,10 +213,8 @@ class Decomposition(Described):
         `representative` and `best` mark :attr:`representative_cycle` and :attr:`best_cycle`.
         """
         rows = self.cycle_list
-        marks = {
-            mark: [self._int(mark) == i for i in range(len(rows))]
-            for mark in ("representative", "best")
-        }
+        chosen = {mark: self._int(mark) for mark in ("representative", "best")}
+        marks = {mark: np.arange(len(rows)) == index for mark, index in chosen.items()}
         return table(rows, Part, marks)
 
     @property
@@ -434,7 +432,7 @@ class Decomposition(Described):
         """
         if not self.clip.fps:
             raise ValueError("a report is in seconds, and the frame rate is unknown: give fps=")
-        text = ffi.NULL if command is None else ffi.new("char[]", command.encode())
+        text = ffi.NULL if command is None else c_text(command, "command")
         with Call(self._options, working_rate(self.clip.fps, self._options)) as call:
             given = (self.clip._handle, self._handle, call.options, text, c_path(path))
             call.check(lib.stltsa_report_save(*given))
@@ -442,8 +440,7 @@ class Decomposition(Described):
     @property
     def frames(self) -> IntArray:
         """Source frame of each sample of the curve; shape (samples,)."""
-        first = self._int("first_frame")
-        step = self._int("frame_step")
+        first, step = self._int("first_frame"), self._int("frame_step")
         return first + step * np.arange(self._int("rows"))
 
     @property
@@ -477,32 +474,9 @@ class Decomposition(Described):
         return self._real("cyclicity")
 
     @property
-    def lag_quality(self) -> float:
-        """Match of the velocities one period apart; 1 is perfect."""
-        return self._real("lag_quality")
-
-    @property
     def fps(self) -> float:
         """Samples of the curve per second; 0 if the frame rate is unknown."""
         return self._real("fps") if self.clip.fps else 0.0
-
-    @property
-    def neighbors(self) -> int:
-        """Neighbors (k) of the fit, in samples of 24 per cycle; 0 if nothing is cyclic."""
-        return self._of_fit("neighbors")
-
-    @property
-    def window(self) -> int:
-        """Window (w) of the fit, in samples of 24 per cycle; 0 if nothing is cyclic."""
-        return self._of_fit("window")
-
-    @property
-    def dimension(self) -> int:
-        """Tangent dimension of the fit; 0 if nothing is cyclic."""
-        return self._of_fit("dimension")
-
-    def _of_fit(self, name: str) -> int:
-        return int(next(iter(self._list(name)), 0))
 
     @property
     def reason(self) -> str:
@@ -511,7 +485,7 @@ class Decomposition(Described):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Warnings about the result."""
+        """What a user should know about the result."""
         found = super().warnings
         return found if self._timed else (_UNKNOWN_RATE, *found)
 
