@@ -89,15 +89,23 @@ def owned(kind: str, pointer: Any) -> Any:
     return ffi.gc(pointer[0], getattr(lib, f"stltsa_{kind}_free"))
 
 
+def new(kind: str, function: Any, *given: Any) -> Any:
+    """Return the new handle of a function whose last argument it is."""
+    out = ffi.new(f"stltsa_{kind} **")
+    check(function(*given, out))
+    return owned(kind, out)
+
+
 def made(
     kind: str,
     function: Any,
     *given: Any,
     options: Mapping[str, Any] | None = None,
     rate: float = 0.0,
+    outputs: tuple[Any, ...] = (),
 ) -> Any:
-    """Return the new handle of a function whose last arguments are options and a handle."""
+    """Return the new handle of a function whose last arguments are options, outputs and it."""
     out = ffi.new(f"stltsa_{kind} **")
     with Call(options, rate) as call:
-        call.check(function(*given, call.options, out))
+        call.check(function(*given, call.options, *outputs, out))
     return owned(kind, out)

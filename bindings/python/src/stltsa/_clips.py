@@ -7,14 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._arrays import IntArray, as_matrix, read_from, read_list
+from ._arrays import IntArray, as_matrix
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     import numpy.typing as npt
-
-    from ._call import Call
 
 
 def is_sequence_of_clips(values: Any) -> bool:
@@ -77,10 +75,3 @@ def frames_and_lengths(motion: Any, groups: Any = None) -> tuple[npt.NDArray[Any
         return stack_clips(motion, groups)
     frames = as_matrix(motion)
     return frames, None if groups is None else group_lengths(groups, len(frames))
-
-
-def call_on_clips(function: Any, motion: Any, groups: Any, call: Call, out: Any) -> Any:
-    """Call a library function that takes several clips; return the matrix that it read."""
-    frames, lengths = frames_and_lengths(motion, groups)
-    call.check(function(read_from(frames), read_list(lengths), call.options, out))
-    return frames

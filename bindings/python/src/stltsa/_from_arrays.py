@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ._arrays import as_matrix, read_from, unmasked
-from ._call import Call, check, owned
+from ._call import made, new
 from ._native import ffi, lib
 from ._text import c_text
 
@@ -60,10 +60,8 @@ def points_handle(
         if values is not None:
             setattr(raw, name, read_from(values)[0])
     raw.fps = 0.0 if fps is None else float(fps)
-    out = ffi.new("stltsa_clip **")
-    with Call({"least_confidence": least_confidence}) as call:
-        call.check(lib.stltsa_clip_from_points(raw, call.options, out))
-    return owned("clip", out)
+    options = {"least_confidence": least_confidence}
+    return made("clip", lib.stltsa_clip_from_points, raw, options=options)
 
 
 def skeleton_handle(
@@ -101,17 +99,14 @@ def skeleton_handle(
         if words and words[j] is not None:
             joint.channels = words[j]
     root = None if root_positions is None else as_matrix(root_positions, "root_positions")
-    out = ffi.new("stltsa_clip **")
-    check(
-        lib.stltsa_clip_from_skeleton(
-            joints,
-            ffi.sizeof("stltsa_joint"),
-            count,
-            _FORMS[array.ndim],
-            read_from(rows),
-            ffi.NULL if root is None else read_from(root),
-            float(fps),
-            out,
-        )
+    return new(
+        "clip",
+        lib.stltsa_clip_from_skeleton,
+        joints,
+        ffi.sizeof("stltsa_joint"),
+        count,
+        _FORMS[array.ndim],
+        read_from(rows),
+        ffi.NULL if root is None else read_from(root),
+        float(fps),
     )
-    return owned("clip", out)

@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from . import _exports, _html
 from ._arrays import FloatArray, IntArray, as_matrix, columns, read_from, write_to
-from ._call import Call, check, made, owned
+from ._call import Call, check, made, new
 from ._facts import Described
 from ._from_arrays import points_handle, skeleton_handle
 from ._given import wrong
@@ -182,9 +182,7 @@ class Clip(Described):
         <Clip: 120 frames, 2.00 s at 60 fps, 3 channels>
         """
         array = as_matrix(frames, "frames")
-        out = ffi.new("stltsa_clip **")
-        check(lib.stltsa_clip_from_matrix(read_from(array), float(fps), out))
-        return cls(owned("clip", out))
+        return cls(new("clip", lib.stltsa_clip_from_matrix, read_from(array), float(fps)))
 
     def _read_from(self, path: os.PathLike[str]) -> Clip:
         """Set the path of a clip that was just made from arrays, and return the clip."""

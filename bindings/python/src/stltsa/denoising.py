@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
-from ._call import Call, owned
-from ._clips import call_on_clips, refuse_groups
+from ._arrays import read_from, read_list
+from ._call import made
+from ._clips import frames_and_lengths, refuse_groups
 from ._facts import Described
-from ._native import ffi, lib
+from ._native import lib
 from ._options import rate_given
 from ._rows import DenoisedColumn
 from ._tables import table
@@ -71,15 +72,16 @@ def denoise(
         coords = fit(cast("Motions", coords), groups=groups, **options)
         options = {n: v for n, v in options.items() if n in _CLEANING}  # type: ignore[assignment]
     model = coords if isinstance(coords, Model) else None
-    out = ffi.new("stltsa_denoising **")
-    with Call(options, model.fps if model else rate_given(options)) as call:
-        if model:
-            refuse_groups(groups, "a Model knows its components")
-            points: Any = model.coords
-            call.check(lib.stltsa_denoise_model(model._handle, call.options, out))
-        else:
-            points = call_on_clips(lib.stltsa_denoise, coords, groups, call, out)
-    return Denoising(owned("denoising", out), np.array(points, dtype=np.float64), model)
+    if model:
+        refuse_groups(groups, "a Model knows its components")
+        points, rate = model.coords, model.fps
+        given: tuple[Any, ...] = lib.stltsa_denoise_model, model._handle
+    else:
+        points, lengths = frames_and_lengths(coords, groups)
+        given = lib.stltsa_denoise, read_from(points), read_list(lengths)
+        rate = rate_given(options)
+    handle = made("denoising", *given, options=options, rate=rate)
+    return Denoising(handle, np.array(points, dtype=np.float64), model)
 
 
 class Denoising(Described):

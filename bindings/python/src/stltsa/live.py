@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from ._arrays import FloatArray, as_matrix, read_from, unmasked
-from ._call import check, owned
+from ._call import check, new
 from ._facts import Described, row_of
 from ._native import ffi, lib
 from ._rows import SegmentKind  # noqa: TC001 (read at run time)
@@ -71,9 +71,7 @@ class Live(Described):
     _kind = "live"
 
     def __init__(self, model: Model) -> None:
-        out = ffi.new("stltsa_live **")
-        check(lib.stltsa_live_new(model._handle, out))
-        super().__init__(owned("live", out))
+        super().__init__(new("live", lib.stltsa_live_new, model._handle))
         self._one = threading.RLock()  # a signal handler may push during a push
         self.marks: tuple[str, ...] = self._list("mark")
 

@@ -19,8 +19,8 @@ from ._arrays import (
     write_list,
     write_to,
 )
-from ._call import Call, check, made, owned
-from ._clips import call_on_clips, frames_and_lengths, refuse_groups
+from ._call import Call, check, made, new
+from ._clips import frames_and_lengths, refuse_groups
 from ._facts import Described
 from ._native import ffi, lib
 from ._options import rate_given, working_rate
@@ -107,19 +107,16 @@ def fit(motion: Motions, *, groups: Labels | None = None, **options: Unpack[Opti
 
 def fitted(motion: Any, groups: Any, options: Options) -> Model:
     """Return the model of :func:`fit`, which raises no warnings."""
-    out = ffi.new("stltsa_model **")
     several = isinstance(motion, list | tuple) and len(motion) > 0
     clips = [opened(each, options) for each in (motion if several else [motion])]
-    are_clips = all(isinstance(clip, Clip) for clip in clips)
-    rate = working_rate(clips[0].fps, options) if are_clips else rate_given(options)
-    with Call(options, rate) as call:
-        if are_clips:
-            refuse_groups(groups, "every Clip is a clip of its own")
-            handles = [clip._handle for clip in clips]
-            call.check(lib.stltsa_fit_clips(handles, len(handles), call.options, out))
-        else:
-            call_on_clips(lib.stltsa_fit, motion, groups, call, out)
-    return Model(owned("model", out))
+    if all(isinstance(clip, Clip) for clip in clips):
+        refuse_groups(groups, "every Clip is a clip of its own")
+        handles, rate = [clip._handle for clip in clips], working_rate(clips[0].fps, options)
+        given = lib.stltsa_fit_clips, handles, len(handles)
+    else:
+        frames, lengths = frames_and_lengths(motion, groups)
+        given, rate = (lib.stltsa_fit, read_from(frames), read_list(lengths)), rate_given(options)
+    return Model(made("model", *given, options=options, rate=rate))
 
 
 _COORDINATES = "it takes coordinates such as .coords and map(...).values; call map for frames"
@@ -335,20 +332,9 @@ class Model(Described):
         """
         points = as_matrix(coords, "coords")
         wanted = _as_hints(hints, len(points))
-        out = ffi.new("stltsa_clip **")
-        with advice(ShapeError, _COORDINATES), Call(options) as call:
-            call.check(
-                lib.stltsa_unmap_clip(
-                    self._handle,
-                    read_from(points),
-                    read_list(wanted),
-                    call.options,
-                    ffi.NULL,
-                    ffi.NULL,
-                    out,
-                )
-            )
-        return Clip(owned("clip", out))
+        given = lib.stltsa_unmap_clip, self._handle, read_from(points), read_list(wanted)
+        with advice(ShapeError, _COORDINATES):
+            return Clip(made("clip", *given, options=options, outputs=(ffi.NULL, ffi.NULL)))
 
     def keep_cycle(self, phase: Phase, marks: Mapping[str, float] | None = None) -> None:
         """Keep what a stream is compared with; see :class:`stltsa.Live`.
@@ -403,9 +389,7 @@ class Model(Described):
         stltsa.FormatError
             The bytes are not a model; the text says what is wrong with them.
         """
-        out = ffi.new("stltsa_model **")
-        check(lib.stltsa_model_parse(ffi.from_buffer(data), len(data), out))
-        return cls(owned("model", out))
+        return cls(new("model", lib.stltsa_model_parse, ffi.from_buffer(data), len(data)))
 
     def save(self, path: Path) -> None:
         """Write the model to a file, completely or not at all; the command `stltsa` can read it."""
