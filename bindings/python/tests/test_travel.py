@@ -45,3 +45,10 @@ def test_without_a_rate_times_are_in_frames(clip, walk):
     assert time["mean"][0] == pytest.approx(frames.mean(), abs=1)
     assert np.isnan(time["trend"]).all()
     assert not len(rows(found, quantity="path_length")["mean"])  # numbers have no ground
+
+
+def test_rows_with_unknown_numbers_equal_each_other(clip):
+    found = stltsa.decompose(clip.features(kind="raw"), fps=clip.fps)
+    assert np.isnan(found.best_cycle.speed)
+    assert found.best_cycle in found.cycle_list
+    assert found.segment_list == found.segment_list
