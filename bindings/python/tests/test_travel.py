@@ -39,7 +39,7 @@ def test_statistics_are_those_of_the_parts(walk):
 
 
 def test_without_a_rate_times_are_in_frames(clip, walk):
-    found = stltsa.decompose(clip.features(kind="raw"))
+    found = stltsa.decompose(clip.features("raw"))
     time = rows(found, kind="cycle", side=-1, quantity="time")
     frames = np.asarray(found.cycles["end"]) - np.asarray(found.cycles["begin"])
     assert time["mean"][0] == pytest.approx(frames.mean(), abs=1)
@@ -48,7 +48,7 @@ def test_without_a_rate_times_are_in_frames(clip, walk):
 
 
 def test_rows_with_unknown_numbers_equal_each_other(clip):
-    found = stltsa.decompose(clip.features(kind="raw"), fps=clip.fps)
+    found = stltsa.decompose(clip.features("raw"), fps=clip.fps)
     assert np.isnan(found.best_cycle.speed)
     assert found.best_cycle in found.cycle_list
     assert found.segment_list == found.segment_list

@@ -317,30 +317,25 @@ class Clip(Described):
 
     def features(
         self,
-        kind: Features | Auto | None = None,
+        features: Features | Auto | None = "auto",
         *,
-        features: Features | Auto | None = None,
         up_axis: UpAxis | Auto | None = "auto",
     ) -> FloatArray:
         """Return the features of all poses; shape (frames, features), unsmoothed.
 
         Parameters
         ----------
-        kind : {"auto", "positions", "rotations6d", "euler", "raw", "points"}
+        features : {"auto", "positions", "rotations6d", "euler", "raw", "points"}
             ``"positions"``: joint positions without the root's position and yaw; ``"rotations6d"``:
             two columns of each rotation matrix; ``"euler"``: the angles below the root in radians,
             as in the paper; ``"raw"``: the file's numbers; ``"points"``: points such as markers,
             without their mean, and without the heading if that is well defined. ``"auto"``:
             positions if there is a skeleton, points if the clip has points (or columns named
             heel_x, heel_y, heel_z, ...), otherwise raw.
-        features
-            The same as `kind`; the keyword of the other functions.
         up_axis : {"auto", "x", "y", "z"}
             The axis that points up.
         """
-        if kind is not None and features is not None:
-            raise TypeError("features() is given both kind and features=, which mean the same")
-        with Call({"features": kind or features, "up_axis": up_axis}) as call:
+        with Call({"features": features, "up_axis": up_axis}) as call:
             count = ffi.new("int64_t *")
             call.check(lib.stltsa_clip_feature_count(self._handle, call.options, count))
             result = columns(len(self), count[0])
