@@ -194,7 +194,7 @@ std::vector<motion::Strikes> in_samples(const FoundStrikes& found, const SourceF
                                         Side side_one) {
     std::vector<motion::Strikes> all;
     for (const MotionStrikes& motion : found.motions) {
-        motion::Strikes strikes{motion.label, -1, motion.begins, motion.middles};
+        motion::Strikes strikes{static_cast<int>(motion.label), -1, motion.begins, motion.middles};
         if (motion.side != Side::neither)
             strikes.side = motion.side == side_one ? 1 : 0;
         for (std::vector<double>* places : {&strikes.begins, &strikes.middles})
@@ -354,7 +354,7 @@ std::shared_ptr<const FrameRows> frame_rows(const clip::Clip& clip, const Source
 
 } // namespace
 
-Side Decomposed::named_side(std::int32_t side) const {
+Side Decomposed::named_side(std::int64_t side) const {
     if (side < 0 || side > 1 || side_one == Side::neither)
         return Side::neither;
     return (side == 1) == (side_one == Side::left) ? Side::left : Side::right;

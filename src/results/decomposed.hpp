@@ -56,7 +56,7 @@ struct Decomposed {
     std::shared_ptr<PhaseOnce> phase = std::make_shared<PhaseOnce>();
 
     /// Whether side 0 or 1 of cycles and steps is left or right.
-    Side named_side(std::int32_t side) const;
+    Side named_side(std::int64_t side) const;
     /// Of STLTSA_INFO_CYCLE, _STEP or _REPETITION; none of another.
     std::span<const stltsa_part> parts(std::int32_t kind) const;
 };

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Checks that every place that states the version agrees with meson.build, and that the lists of
 functions agree: header, version script, Debian's symbols file, declarations for Rust, and CHANGELOG.md,
-which names each function below the version that added it.
+which names each function below the version that added it, unless that is the first.
 
 Addresses must be those of packaging/metadata.
 
@@ -109,7 +109,9 @@ def list_complaints():
 
 def changelog_complaints(version):
     texts = sections()
-    for added, functions in added_by_version().items():
+    by_version = added_by_version()
+    for added in sorted(by_version, key=lambda v: [int(part) for part in v.split(".")])[1:]:
+        functions = by_version[added]
         text = texts.get(added, texts.get("Unreleased", "") if added == version else "")
         named = set(re.findall(r"\bstltsa_\w+", text))
         for missing in sorted(functions - named):

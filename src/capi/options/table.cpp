@@ -38,7 +38,7 @@ constexpr int32_t embeds = STLTSA_CALL_FIT; // from frames or clips
 constexpr int32_t analyzes = embeds | STLTSA_CALL_DECOMPOSE;
 constexpr int32_t maps = STLTSA_CALL_MAP | STLTSA_CALL_UNMAP;
 
-constexpr stltsa_option_info rows[] = {
+constexpr stltsa_option_info all_options[] = {
     whole(STLTSA_OPT_NEIGHBORS, embeds, "neighbors",
           "Neighbors of each frame (k); auto: 1.2 periods if a period is found, otherwise 1.2 "
           "seconds, or 12 frames if the rate is unknown.",
@@ -164,11 +164,11 @@ constexpr stltsa_option_info rows[] = {
 } // namespace
 
 std::span<const stltsa_option_info> options_table() {
-    return rows;
+    return all_options;
 }
 
 const stltsa_option_info& option_row(int32_t key) {
-    for (const auto& row : rows)
+    for (const auto& row : all_options)
         if (row.key == key)
             return row;
     fail(Status::argument, "there is no option {}; see stltsa_option_describe", key);

@@ -31,35 +31,35 @@ bool is_one_of(std::string_view word, std::initializer_list<std::string_view> wo
 
 /// Seconds; 0 for no unit. Empty if the word is none.
 std::optional<double> seconds_of(std::string_view word) {
-    struct Unit {
+    struct TimeUnit {
         std::string_view name;
         double seconds;
     };
-    constexpr Unit units[] = {{"", 0},
-                              {"s", 1},
-                              {"sec", 1},
-                              {"secs", 1},
-                              {"second", 1},
-                              {"seconds", 1},
-                              {"ms", 1e-3},
-                              {"msec", 1e-3},
-                              {"msecs", 1e-3},
-                              {"millis", 1e-3},
-                              {"milliseconds", 1e-3},
-                              {"us", 1e-6},
-                              {"usec", 1e-6},
-                              {"usecs", 1e-6},
-                              {"microseconds", 1e-6},
-                              {"\xC2\xB5s", 1e-6},
-                              {"\xCE\xBCs", 1e-6},
-                              {"ns", 1e-9},
-                              {"nsec", 1e-9},
-                              {"nanoseconds", 1e-9},
-                              {"min", 60},
-                              {"minutes", 60},
-                              {"utc", 0},
-                              {"unix", 0}};
-    for (const Unit& unit : units)
+    constexpr TimeUnit time_units[] = {{"", 0},
+                                       {"s", 1},
+                                       {"sec", 1},
+                                       {"secs", 1},
+                                       {"second", 1},
+                                       {"seconds", 1},
+                                       {"ms", 1e-3},
+                                       {"msec", 1e-3},
+                                       {"msecs", 1e-3},
+                                       {"millis", 1e-3},
+                                       {"milliseconds", 1e-3},
+                                       {"us", 1e-6},
+                                       {"usec", 1e-6},
+                                       {"usecs", 1e-6},
+                                       {"microseconds", 1e-6},
+                                       {"\xC2\xB5s", 1e-6},
+                                       {"\xCE\xBCs", 1e-6},
+                                       {"ns", 1e-9},
+                                       {"nsec", 1e-9},
+                                       {"nanoseconds", 1e-9},
+                                       {"min", 60},
+                                       {"minutes", 60},
+                                       {"utc", 0},
+                                       {"unix", 0}};
+    for (const TimeUnit& unit : time_units)
         if (unit.name == word)
             return unit.seconds;
     return std::nullopt;

@@ -114,7 +114,7 @@ void check_finite(const Matrix& values, const std::string& name) {
 
 } // namespace
 
-Clip parse_npy(std::string_view bytes, const std::string& name, const ReadOptions& options) {
+Clip parse_npy(std::string_view bytes, const std::string& name, const ReadOptions&) {
     const NpyHeader header = read_npy_header(bytes, name);
     const std::string_view data = bytes.substr(header.data_begin);
     const Shape shape = checked_shape(header, data.size(), name);

@@ -26,13 +26,13 @@ void draw_tick(Svg& svg, Point from, Point to, Point at, const char* anchor, dou
 
 } // namespace
 
-const char* unit_color(std::int32_t kind) {
+const char* unit_color(std::int64_t kind) {
     static constexpr const char* colors[] = {"#56b4e9", "#e69f00", "#0072b2", "#d55e00",
                                              "#cc79a7", "#009e73", "#0072b2", "#f0e442"};
     return colors[static_cast<std::size_t>(kind - 1) % std::size(colors)];
 }
 
-const char* label_color(std::int32_t label) {
+const char* label_color(std::int64_t label) {
     static constexpr std::int32_t kinds[] = {
         STLTSA_UNIT_CYCLIC,    STLTSA_UNIT_INITIAL, STLTSA_UNIT_ACTION, STLTSA_UNIT_WIND_UP,
         STLTSA_UNIT_PREPARING, STLTSA_UNIT_FINAL,   STLTSA_UNIT_HOLD};

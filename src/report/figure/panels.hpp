@@ -33,8 +33,8 @@ struct Figure {
 
 /// The colors of a STLTSA_UNIT_* and of a label, from those of Okabe and Ito ("Color Universal
 /// Design", 2008), which color-blind readers can tell apart.
-const char* unit_color(std::int32_t kind);
-const char* label_color(std::int32_t label);
+const char* unit_color(std::int64_t kind);
+const char* label_color(std::int64_t label);
 
 /// From values to positions in the figure.
 struct Scale {
