@@ -143,9 +143,8 @@ void what_cannot_be_decided(void**) {
     ASSERT_SUBJECTS("Anna, Ben?", behind({"Anna_", "Ben_"}, many));
     Names ends;
     for (const char* end : {"_1", "_2"})
-        for (const char* const name :
-             {"LHEE", "RHEE", "LTOE", "RTOE", "LKNE", "RKNE", "C7", "T10"})
-            ends.push_back(name + end);
+        for (const char* const name : {"LHEE", "RHEE", "LTOE", "RTOE", "LKNE", "RKNE", "C7", "T10"})
+            ends.push_back(std::string(name) + end);
     ASSERT_SUBJECTS("1, 2?", ends);
     many = behind({"Anna_", "Ben_"}, many);
     const SubjectPoints all = points_of_subject(many, "", "file");
