@@ -659,7 +659,8 @@ class Decomposition
     Matrix coords() const { return info().array(STLTSA_INFO_COORDS); }
     std::string reason() const { return info().text(STLTSA_INFO_REASON); }
     /// Writes a report of the clip that was decomposed or, if the path ends in .svg, a figure.
-    /// `options`: those of stltsa::decompose(). `command`: the command or call that makes the report again; empty: unknown.
+    /// `options`: those of stltsa::decompose(). `command`: the command or call that makes the
+    /// report again; empty: unknown.
     void save_report(const Clip& clip, const std::string& path, const std::string& command = {},
                      const Options& options = {}) const {
         detail::check(stltsa_report_save(clip.get(), get(), options.get(),

@@ -98,11 +98,9 @@ static void compare_and_find_events(const stltsa_phase* phase, const stltsa_phas
     stltsa_events* events = NULL;
     const stltsa_in marks = {&mark, 1, 1, 0, 0, STLTSA_F64, 0};
     double begin = start();
-    finish("stltsa_compare", begin,
-           stltsa_compare(phase, 0, phase, 0, 101, options, &comparison));
+    finish("stltsa_compare", begin, stltsa_compare(phase, 0, phase, 0, 101, options, &comparison));
     begin = start();
-    finish("stltsa_events_find", begin,
-           stltsa_events_find(phase, &marks, NULL, options, &events));
+    finish("stltsa_events_find", begin, stltsa_events_find(phase, &marks, NULL, options, &events));
     stltsa_events_free(events);
     events = NULL;
     begin = start();
@@ -112,8 +110,7 @@ static void compare_and_find_events(const stltsa_phase* phase, const stltsa_phas
     stltsa_comparison_free(comparison);
 }
 
-static void map_and_clean(const stltsa_model* model, const stltsa_in* in,
-                          stltsa_options* options) {
+static void map_and_clean(const stltsa_model* model, const stltsa_in* in, stltsa_options* options) {
     int64_t dimension = 0;
     check(stltsa_info_int(stltsa_model_info(model), STLTSA_INFO_DIMENSION, 0, &dimension));
     double* at = allocate((size_t)(in->rows * dimension) * sizeof *at);

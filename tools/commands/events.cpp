@@ -80,7 +80,8 @@ void append_other_side(const Session& session, const Analyzed& from, const Analy
         if (marks.contains(other_side(name)))
             continue; // both sides are marked
         const stltsa::Events found = from.phase.events(frames, mirrored.phase, session.options());
-        table.searches.push_back({in.path, other_side(name), std::ssize(found.all()), found.likeness()});
+        table.searches.push_back(
+            {in.path, other_side(name), std::ssize(found.all()), found.likeness()});
         warn(found, in.path, other_side(name), table);
         for (stltsa::Event event : found.all()) {
             event.cycle = cycle_at(in.found, event.frame);
