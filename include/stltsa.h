@@ -161,75 +161,57 @@ typedef struct stltsa_options stltsa_options;
 /* Keys. stltsa_option_describe() gives name, type, range, default and text of each at run time;
  * the command's flags and the bindings' keywords are generated from that table. */
 enum {
-    STLTSA_OPT_NEIGHBORS = 1,    /* int   k; auto: 1.2 periods if a period is found, otherwise
-                                      1.2 s, or 12 rows if the frame rate is unknown */
-    STLTSA_OPT_WINDOW = 2,       /* int   w, frames to each side; auto: as neighbors */
-    STLTSA_OPT_DIMENSION = 3,    /* int   d; auto: 2 */
-    STLTSA_OPT_MODE = 4,         /* int   STLTSA_MODE_* */
-    STLTSA_OPT_INCLUDE_SELF = 5, /* int   1: a frame is among its own k neighbors (Zhang and Zha);
-                                      0: it is not (as scikit-learn has it) */
-    STLTSA_OPT_LINKS = 6,        /* int   recurrent: neighbors from outside the exclusion zone */
-    STLTSA_OPT_EXCLUSION = 7,    /* int   recurrent: half width of that zone in frames; auto:
-                                      window */
-    STLTSA_OPT_THREADS = 8,      /* int   auto: every core */
-    STLTSA_OPT_FEATURES = 9,     /* int   STLTSA_FEATURES_*; auto: positions if there is a skeleton,
-                                      points if the columns are named so, otherwise raw */
-    STLTSA_OPT_UP_AXIS = 10,     /* int   1, 2, 3: x, y, z; auto: found from the skeleton; of points,
-                                      the file's, or else guessed (a note says so) */
-    STLTSA_OPT_KEEP_START = 11,  /* int   1: do not drop a T-pose at the start */
-    STLTSA_OPT_FPS = 12,         /* real  frames a second, for files that have no rate; in others
-                                      it replaces the rate and the times, and a note says so;
-                                      auto: the file's. unmap_clip: points a second; auto: the
-                                      model's rows */
-    STLTSA_OPT_SAMPLE_RATE = 13, /* real  clips: keep one frame in fps / sample_rate, rounded; 0:
-                                      all */
-    STLTSA_OPT_SMOOTHING = 14,   /* real  sigma in seconds of the Gaussian on the features;
-                                      0: none */
-    STLTSA_OPT_PERIOD_MIN = 15,  /* real  shortest period looked for, seconds; rows if the rate is
-                                      unknown, 4 unless it is set */
-    STLTSA_OPT_PERIOD_MAX = 16,  /* real  longest period looked for, seconds; rows if the rate is
-                                      unknown, half of all and at most 1000 unless it is set.
-                                      If only one of the two is set, the other end yields to it */
-    STLTSA_OPT_EIGENGAP = 17,    /* real  tau of section 2.3 as a fraction of k */
-    STLTSA_OPT_VARIANCE = 18,    /* real  share of local variance that local PCA must explain */
-    STLTSA_OPT_SKELETON = 19,    /* text  path of the ASF file of an AMC clip; auto: found beside
-                                      the clip */
-    STLTSA_OPT_KEEP_FRAMES = 20, /* int   1: a model keeps its fitted frames, so it can map and
-                                      unmap; 0: it keeps only the coordinates */
-    STLTSA_OPT_MAP_NEIGHBORS = 21, /* int rows for each local map; auto: max(d + 5, 10) */
-    STLTSA_OPT_MAP_BLEND = 22,   /* int   segments of the curve whose maps are blended */
-    STLTSA_OPT_HINT_WINDOW = 23, /* int   rows to each side of a hint; auto: a fifth of k */
-    STLTSA_OPT_COMPONENT = 24,   /* int   unmap: component that the coordinates are of, 0-based;
-                                      auto: the only one there is */
-    STLTSA_OPT_GAMMA = 25,       /* real  gamma of section 3.2, in units of the coordinate; auto:
-                                      one robust standard deviation of the residuals */
-    STLTSA_OPT_KNOT_SPACING = 26, /* real denoise: seconds (rows if the rate is unknown) between
-                                      knots; auto: a tenth of the period, otherwise 2 rows */
-    STLTSA_OPT_ROBUST = 27,      /* int   denoise: 1: reduce the influence of spikes */
-    STLTSA_OPT_CROSSFADE = 28,   /* real  synthesize: seconds to each side of a seam; auto: a tenth
-                                      of the cycle that is repeated, 0.15 s if clips are joined */
-    STLTSA_OPT_CUT_RANGE = 29,   /* real  synthesize: seconds by which a cut may move to find a
-                                      common posture; auto: a tenth of the repeated cycle,
-                                      half a cycle and at least 0.5 s if clips are joined */
-    STLTSA_OPT_POSTURE_LIMIT = 30, /* real synthesize: largest distance of the postures at a seam,
-                                      divided by the usual distance between repetitions of a
-                                      motion; 0: none */
-    STLTSA_OPT_SEGMENTS = 32,    /* int   decompose: number of segments in motion; rests are not
-                                      counted; auto: as many as the behavior changes */
-    STLTSA_OPT_GAPS = 33,        /* int   STLTSA_GAPS_* */
-    STLTSA_OPT_LEAST_CONFIDENCE = 34, /* real  points seen with less are missing */
-    STLTSA_OPT_LOOP = 35,        /* int   synthesize: 1: the last frame meets the first across a
-                                      seam, the last of the synthesis */
-    STLTSA_OPT_IN_PLACE = 36,    /* int   synthesize: 1: of a loop, the root's horizontal travel and
-                                      its turn are removed, evenly over the frames, so that the
-                                      loop ends where it starts; heights are kept */
-    STLTSA_OPT_INTRINSIC = 38,   /* int   fits: 1: the intrinsic dimension is estimated, too: see
-                                      STLTSA_INFO_LOCAL_PCA and _EIGENGAP */
-    STLTSA_OPT_SUBJECT = 37      /* text  which of several people or animals in a file is opened:
-                                      the prefix of its points, "Viktor" of "Viktor:LHEE", or its
-                                      name as an individual or a track; auto: the only one. They
-                                      are never merged: if there are several and none is chosen,
-                                      E_ARGUMENT, and the text lists them */
+    STLTSA_OPT_NEIGHBORS = 1,   /* int  neighbors of each frame (k); auto: 1.2 periods, without a
+                                   period 1.2 seconds, or 12 frames without a rate */
+    STLTSA_OPT_WINDOW = 2,      /* int  window (w), frames to each side; auto: as neighbors */
+    STLTSA_OPT_DIMENSION = 3,   /* int  tangent dimension, the number of coordinates (d); auto: 2 */
+    STLTSA_OPT_MODE = 4,        /* int  candidates for neighbors: STLTSA_MODE_* */
+    STLTSA_OPT_INCLUDE_SELF = 5, /* int  count a frame among its own neighbors */
+    STLTSA_OPT_LINKS = 6,       /* int  recurrent: neighbors beyond the exclusion zone */
+    STLTSA_OPT_EXCLUSION = 7,   /* int  recurrent: half width of that zone, frames; auto: window */
+    STLTSA_OPT_THREADS = 8,     /* int  threads; auto: one for each core */
+    STLTSA_OPT_FEATURES = 9,    /* int  description of a pose: STLTSA_FEATURES_*; auto: positions
+                                   with a skeleton, points if columns are named so, otherwise raw */
+    STLTSA_OPT_UP_AXIS = 10,    /* int  up axis: 1, 2, 3 for x, y, z; auto: found from the skeleton;
+                                   of points, the file's, or else guessed */
+    STLTSA_OPT_KEEP_START = 11, /* int  keep a T-pose at the start instead of dropping it */
+    STLTSA_OPT_FPS = 12,        /* real frames per second, for files without a rate; in others it
+                                   replaces rate and times, with a note (not in batch); unmap:
+                                   points per second; auto: the file's rate, or the model's */
+    STLTSA_OPT_SAMPLE_RATE = 13, /* real decimate clips to about this frame rate; 0: keep all */
+    STLTSA_OPT_SMOOTHING = 14,  /* real smoothing of the features: sigma in seconds; 0: none */
+    STLTSA_OPT_PERIOD_MIN = 15, /* real shortest period of the search, in seconds; in frames if the
+                                   rate is unknown, 4 by default */
+    STLTSA_OPT_PERIOD_MAX = 16, /* real longest period of the search, in seconds; in frames if the
+                                   rate is unknown, half of all, at most 1000, by default */
+    STLTSA_OPT_EIGENGAP = 17,   /* real smallest eigengap that counts (tau), as a share of k */
+    STLTSA_OPT_VARIANCE = 18,   /* real share of local variance that local PCA must explain */
+    STLTSA_OPT_SKELETON = 19,   /* text the ASF file of an AMC clip; auto: found beside the clip */
+    STLTSA_OPT_KEEP_FRAMES = 20, /* int  keep the fitted frames in the model, so that it can map */
+    STLTSA_OPT_MAP_NEIGHBORS = 21, /* int  rows for each local map; auto: d + 5, at least 10 */
+    STLTSA_OPT_MAP_BLEND = 22,  /* int  local maps to blend, each from its own part of the curve */
+    STLTSA_OPT_HINT_WINDOW = 23, /* int  rows to search on each side of a hint; auto: k / 5 */
+    STLTSA_OPT_COMPONENT = 24,  /* int  component of the coordinates, from 0; auto: the only one */
+    STLTSA_OPT_GAMMA = 25,      /* real distance from the curve beyond which a point is noisy; auto:
+                                   a robust standard deviation of the residuals */
+    STLTSA_OPT_KNOT_SPACING = 26, /* real seconds between knots, or rows if the rate is unknown;
+                                   auto: a tenth of the period, otherwise 2 rows */
+    STLTSA_OPT_ROBUST = 27,     /* int  reduce the influence of spikes on the curve */
+    STLTSA_OPT_CROSSFADE = 28,  /* real seconds to blend on each side of a seam; auto: a tenth of
+                                   the repeated cycle, or 0.15 between clips */
+    STLTSA_OPT_CUT_RANGE = 29,  /* real seconds by which a cut may move; auto: a tenth of the
+                                   repeated cycle; between clips half a cycle, at least 0.5 */
+    STLTSA_OPT_POSTURE_LIMIT = 30, /* real max distance of the postures at a seam, relative to that
+                                   of repetitions; 0: no limit */
+    STLTSA_OPT_SEGMENTS = 32,   /* int  segments in motion; auto: as often as behavior changes */
+    STLTSA_OPT_GAPS = 33,       /* int  what becomes of missing values: STLTSA_GAPS_* */
+    STLTSA_OPT_MIN_CONFIDENCE = 34, /* real points that were seen with less confidence are
+                                   missing */
+    STLTSA_OPT_LOOP = 35,       /* int  make a loop: the last frame meets the first */
+    STLTSA_OPT_IN_PLACE = 36,   /* int  remove the travel and the turn of a loop */
+    STLTSA_OPT_INTRINSIC = 38,  /* int  also estimate the intrinsic dimension, in two ways */
+    STLTSA_OPT_SUBJECT = 37     /* text person or animal in a file: the prefix of its points (Viktor
+                                   of Viktor:LHEE) or its name; auto: the only one */
 };
 
 /* What is done about missing values, of points or of the columns of a matrix. A point or column
@@ -305,8 +287,8 @@ typedef struct stltsa_option_info {
 } stltsa_option_info;
 
 /* One row, from index 0. E_ARGUMENT: index is past the last one. */
-STLTSA_API stltsa_status stltsa_option_describe(int64_t index,
-                                                stltsa_option_info *info) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_option_describe(int64_t index, stltsa_option_info *info)
+    STLTSA_NOEXCEPT;
 
 STLTSA_API stltsa_status stltsa_options_new(stltsa_options **options) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_options_free(stltsa_options *options) STLTSA_NOEXCEPT;
@@ -314,24 +296,24 @@ STLTSA_API void stltsa_options_free(stltsa_options *options) STLTSA_NOEXCEPT;
 /* Set one option. E_ARGUMENT: unknown key, key of another type, empty text, or value outside the
  * range, which the error text gives. A text is copied. */
 STLTSA_API stltsa_status stltsa_options_set_int(stltsa_options *options, int32_t key,
-                                                int64_t value) STLTSA_NOEXCEPT;
+    int64_t value) STLTSA_NOEXCEPT;
 STLTSA_API stltsa_status stltsa_options_set_real(stltsa_options *options, int32_t key,
-                                                 double value) STLTSA_NOEXCEPT;
+    double value) STLTSA_NOEXCEPT;
 STLTSA_API stltsa_status stltsa_options_set_text(stltsa_options *options, int32_t key,
-                                                 const char *value) STLTSA_NOEXCEPT;
+    const char *value) STLTSA_NOEXCEPT;
 /* Restores the default or the automatic choice. E_ARGUMENT: unknown key. */
 STLTSA_API stltsa_status stltsa_options_unset(stltsa_options *options, int32_t key) STLTSA_NOEXCEPT;
 /* 1: the option is set; 0: it is not, or options is NULL, or the key is unknown. */
-STLTSA_API int32_t stltsa_options_is_set(const stltsa_options *options,
-                                         int32_t key) STLTSA_NOEXCEPT;
+STLTSA_API int32_t stltsa_options_is_set(const stltsa_options *options, int32_t key)
+    STLTSA_NOEXCEPT;
 /* Read an option, or its default if it is not set or options is NULL. E_ARGUMENT: unknown key, key
  * of another type, or an automatic option that is not set. */
 STLTSA_API stltsa_status stltsa_options_get_int(const stltsa_options *options, int32_t key,
-                                                int64_t *value) STLTSA_NOEXCEPT;
+    int64_t *value) STLTSA_NOEXCEPT;
 STLTSA_API stltsa_status stltsa_options_get_real(const stltsa_options *options, int32_t key,
-                                                 double *value) STLTSA_NOEXCEPT;
+    double *value) STLTSA_NOEXCEPT;
 STLTSA_API stltsa_status stltsa_options_get_text(const stltsa_options *options, int32_t key,
-                                                 const char **value) STLTSA_NOEXCEPT;
+    const char **value) STLTSA_NOEXCEPT;
 
 /* Stages that a progress callback receives. A call passes through some of them, in this order. */
 enum {
@@ -358,8 +340,7 @@ enum {
 typedef int32_t (*stltsa_progress_fn)(void *user, int32_t stage, double fraction);
 
 STLTSA_API stltsa_status stltsa_options_set_progress(stltsa_options *options,
-                                                     stltsa_progress_fn progress,
-                                                     void *user) STLTSA_NOEXCEPT;
+    stltsa_progress_fn progress, void *user) STLTSA_NOEXCEPT;
 
 /* ---- Facts, lists and arrays ------------------------------------------------------------ */
 
@@ -373,228 +354,160 @@ typedef struct stltsa_info stltsa_info;
  * the type that is named; `array` is a matrix of real numbers, with its shape; [] has several. */
 enum {
     /* Where the frames come from. Of these four a result of a matrix has none. */
-    STLTSA_INFO_PATH = 1,               /* text[] path of the clip as given; empty: from memory */
-    STLTSA_INFO_FORMAT = 2,             /* int[]  STLTSA_FORMAT_* of the clip */
-    STLTSA_INFO_CLIP_FRAMES = 3,        /* int[]  frames of the clip */
-    STLTSA_INFO_CLIP_FPS = 4,           /* real[] frames a second of the clip; 0: unknown */
-    STLTSA_INFO_NOTE = 5,               /* text[] what was assumed of the clip, and removed from
-                                                  it */
-    STLTSA_INFO_CHANNEL = 6,            /* text[] names of the clip's channels; none if the
-                                                  file has no names */
-    STLTSA_INFO_FEATURES = 7,           /* int    STLTSA_FEATURES_* used */
-    STLTSA_INFO_FEATURE_COUNT = 8,      /* int    columns of the features */
-    STLTSA_INFO_UP_AXIS = 9,            /* int    axis that points up: 1, 2, 3 for x, y, z; 0:
-                                                  none was needed */
-    STLTSA_INFO_SMOOTHING = 10,         /* real   sigma in seconds of the Gaussian on the
-                                                  features; 0: none */
-    STLTSA_INFO_ROWS = 11,              /* int    rows that the method worked on */
-    STLTSA_INFO_LENGTH = 12,            /* int[]  rows of each clip; of a denoising, of each
-                                                  spline */
-    STLTSA_INFO_FIRST_FRAME = 13,       /* int[]  row i of a clip is its source frame
-                                                  first_frame + i * frame_step */
-    STLTSA_INFO_FRAME_STEP = 14,        /* int[]  see first_frame; 1 for matrices */
-    STLTSA_INFO_FPS = 15,               /* real   rows a second; 0: unknown */
-    STLTSA_INFO_BODY_ROOT = 16,         /* int    Clips: joint that turns the body. Those before
-                                                  it, its ancestors, are not part of the body */
+    STLTSA_INFO_PATH = 1,           /* text[] path of the clip as given; empty: from memory */
+    STLTSA_INFO_FORMAT = 2,         /* int[]  STLTSA_FORMAT_* of the clip */
+    STLTSA_INFO_CLIP_FRAMES = 3,    /* int[]  frames of the clip */
+    STLTSA_INFO_CLIP_FPS = 4,       /* real[] frames a second of the clip; 0: unknown */
+    STLTSA_INFO_NOTE = 5,           /* text[] what was assumed of the clip, and removed from it */
+    STLTSA_INFO_CHANNEL = 6,        /* text[] names of its channels, if the file has names */
+    STLTSA_INFO_FEATURES = 7,       /* int    STLTSA_FEATURES_* used */
+    STLTSA_INFO_FEATURE_COUNT = 8,  /* int    columns of the features */
+    STLTSA_INFO_UP_AXIS = 9,        /* int    up axis: 1, 2, 3 for x, y, z; 0: not needed */
+    STLTSA_INFO_SMOOTHING = 10,     /* real   sigma of the smoothing, in seconds; 0: none */
+    STLTSA_INFO_ROWS = 11,          /* int    rows that the method worked on */
+    STLTSA_INFO_LENGTH = 12,        /* int[]  rows of each clip; of a denoising, of each spline */
+    STLTSA_INFO_FIRST_FRAME = 13,   /* int[]  row i is frame first_frame + i * frame_step */
+    STLTSA_INFO_FRAME_STEP = 14,    /* int[]  see first_frame; 1 for matrices */
+    STLTSA_INFO_FPS = 15,           /* real   rows a second; 0: unknown */
+    STLTSA_INFO_BODY_ROOT = 16,     /* int    joint that turns the body; its ancestors do not */
     /* The fit; of a decomposition, that of about 12 cycles at the start of the longest cyclic
      * segment, whose rows are 24 to a cycle. A denoising of given coordinates has none of these
      * seven. */
-    STLTSA_INFO_MODE = 20,              /* int    STLTSA_MODE_* */
-    STLTSA_INFO_NEIGHBORS = 21,         /* int    k used, in rows */
-    STLTSA_INFO_WINDOW = 22,            /* int    w used, in rows to each side */
-    STLTSA_INFO_DIMENSION = 23,         /* int    tangent dimension d */
-    STLTSA_INFO_INCLUDE_SELF = 24,      /* int    1: a row is among its own neighbors */
-    STLTSA_INFO_LINKS = 25,             /* int    Recurrent: neighbors from outside the
-                                                  exclusion zone */
-    STLTSA_INFO_EXCLUSION = 26,         /* int    Recurrent: half width of that zone in rows */
+    STLTSA_INFO_MODE = 20,          /* int    STLTSA_MODE_* */
+    STLTSA_INFO_NEIGHBORS = 21,     /* int    k used, in rows */
+    STLTSA_INFO_WINDOW = 22,        /* int    w used, in rows to each side */
+    STLTSA_INFO_DIMENSION = 23,     /* int    tangent dimension d */
+    STLTSA_INFO_INCLUDE_SELF = 24,  /* int    1: a row is among its own neighbors */
+    STLTSA_INFO_LINKS = 25,         /* int    recurrent: neighbors beyond the exclusion zone */
+    STLTSA_INFO_EXCLUSION = 26,     /* int    recurrent: half width of that zone in rows */
     /* The period, if one was looked for. */
-    STLTSA_INFO_PERIOD = 30,            /* real   period in seconds; 0: none, or the rate is
-                                                  unknown: see PERIOD_ROWS */
-    STLTSA_INFO_LAG_QUALITY = 31,       /* real   match of the velocities one period apart; 1:
-                                                  perfect, 0: no period */
-    STLTSA_INFO_PERIOD_MIN = 32,        /* real   shortest period looked for, in seconds; 0: no
-                                                  search was made */
-    STLTSA_INFO_PERIOD_MAX = 33,        /* real   longest period looked for, in seconds; 0: no
-                                                  search was made */
-    STLTSA_INFO_PERIOD_ROWS = 34,       /* real   period in rows; 0: none */
+    STLTSA_INFO_PERIOD = 30,        /* real   period in seconds; 0: none, or rate unknown */
+    STLTSA_INFO_LAG_QUALITY = 31,   /* real   match of velocities a period apart, 0 to 1 */
+    STLTSA_INFO_PERIOD_MIN = 32,    /* real   shortest period of the search, seconds; 0: none */
+    STLTSA_INFO_PERIOD_MAX = 33,    /* real   longest period of the search, seconds; 0: none */
+    STLTSA_INFO_PERIOD_ROWS = 34,   /* real   period in rows; 0: none */
     /* Models. */
-    STLTSA_INFO_REPEATED = 40,          /* int    rows collapsed because they repeat the one
-                                                  before */
-    STLTSA_INFO_TIME_CORRELATION = 41,  /* real   absolute rank correlation of coordinate 1
-                                                  with time, over at most 2^14 frames of the
-                                                  largest component; 1: it only follows time */
-    STLTSA_INFO_REACH = 42,             /* real   distance from the fitted frames, in units of
-                                                  the features, up to which a new frame is like
-                                                  them; 0: the model cannot map */
-    STLTSA_INFO_COMPONENT = 43,         /* rows   stltsa_component: those of the neighborhood
-                                                  graph */
-    STLTSA_INFO_HAS_CYCLE = 44,         /* int    1: the model keeps a mean cycle, see
-                                                  stltsa_model_keep_cycle */
-    STLTSA_INFO_COORDS = 45,            /* array  rows x d: the coordinates; of a decomposition, rows
-                                                  x 2: the curve, and itself a quarter of a cycle
-                                                  behind, the loop of Fig. 1 */
-    STLTSA_INFO_EIGENVALUES = 46,       /* array  components x (d + 2): lambda_1 = 0, lambda_2, ...,
-                                                  ascending; NaN if a component is too small */
-    STLTSA_INFO_COMPONENT_OF = 47,      /* array  rows x 1: component of each row, numbered from 0 in
-                                                  the order of their first rows */
+    STLTSA_INFO_REPEATED = 40,      /* int    rows collapsed because they repeat the one before */
+    STLTSA_INFO_TIME_CORRELATION = 41, /* real   absolute rank correlation of coordinate 1 with
+                                       time; 1: it only follows time */
+    STLTSA_INFO_REACH = 42,         /* real   distance from the fitted frames up to which a frame is
+                                       like them; 0: the model cannot map */
+    STLTSA_INFO_COMPONENT = 43,     /* rows   stltsa_component: those of the neighborhood graph */
+    STLTSA_INFO_HAS_CYCLE = 44,     /* int    1: keeps a mean cycle (stltsa_model_keep_cycle) */
+    STLTSA_INFO_COORDS = 45,        /* array  rows x d: coordinates; of a decomposition, rows x 2:
+                                       the curve, and itself a quarter of a cycle behind */
+    STLTSA_INFO_EIGENVALUES = 46,   /* array  components x (d + 2), ascending, lambda_1 = 0; NaN:
+                                       the component is too small */
+    STLTSA_INFO_COMPONENT_OF = 47,  /* array  rows x 1: component of each row, in order, from 0 */
     /* Decompositions. */
-    STLTSA_INFO_COORDINATE = 60,        /* int    1-based coordinate of the fit whose margins
-                                                  count; 0: none */
-    STLTSA_INFO_CYCLICITY = 61,         /* real   how well that coordinate repeats once a
-                                                  period; 1: perfect */
-    STLTSA_INFO_REPRESENTATIVE = 62,    /* int    index of the first cycle of the cyclic
-                                                  segment that lasts longest; -1: none */
-    STLTSA_INFO_BEST = 63,              /* int    index of the cycle most like the mean cycle of
-                                                  that segment; -1: none */
-    STLTSA_INFO_REASON = 64,            /* text   why nothing repeats; empty if anything does */
-    STLTSA_INFO_EIGENVALUE = 65,        /* real[] eigenvalues of B, ascending, the zero one first; of
-                                                  a model, those of B / k that the estimate of the
-                                                  dimension rests on */
-    STLTSA_INFO_POSTURES = 68,          /* int[]  frames of up to 24 distinct postures, for
-                                                  pictures; to draw n, take the first n */
-    STLTSA_INFO_SEGMENT = 50,           /* rows   stltsa_segment, in temporal order; they cover [0,
-                                                  frames of the clip) without gap or overlap */
-    STLTSA_INFO_UNIT = 51,              /* rows   stltsa_unit; they cover the clip, too */
-    STLTSA_INFO_CYCLE = 52,             /* rows   stltsa_part, in temporal order */
-    STLTSA_INFO_STEP = 53,              /* rows   stltsa_part: halves of cycles; none unless both
-                                                  sides alternate */
-    STLTSA_INFO_REPETITION = 54,        /* rows   stltsa_part: single actions of segments of
-                                                  repetitions */
-    STLTSA_INFO_SUMMARY = 55,           /* rows   stltsa_summary: one for each label that repeats */
-    STLTSA_INFO_SIDE = 56,              /* int[]  STLTSA_SIDE_* that side 0 and side 1 of parts are;
-                                                  STLTSA_SIDE_NONE if no names tell. Assumes
-                                                  right-handed axes */
-    STLTSA_INFO_CURVE = 57,             /* array  rows x 1: the smoothed coordinate whose margins
-                                                  count, 0 outside cyclic segments, each of which has
-                                                  a coordinate of its own; of a denoising, rows x
-                                                  columns: the fitted curve f_c */
-    STLTSA_INFO_LABEL_LIKENESS = 58,    /* array  labels x labels: how similar their segments are, 0
-                                                  (different) to 1 (same): the mean over pairs of
-                                                  segments, at most 24 of each label. It compares the
-                                                  postures, the speeds, and which parts of the body
-                                                  move together; moderate differences in size and
-                                                  tempo change it little. From about 0.65 on,
-                                                  segments share a label, except repetitions, which
-                                                  are grouped by their course. NaN for a label of one
-                                                  segment with itself */
+    STLTSA_INFO_COORDINATE = 60,    /* int    coordinate whose margins count, from 1; 0: none */
+    STLTSA_INFO_CYCLICITY = 61,     /* real   how well that coordinate repeats; 1: perfect */
+    STLTSA_INFO_REPRESENTATIVE = 62, /* int    first cycle of the longest cyclic segment; -1:
+                                       none */
+    STLTSA_INFO_BEST = 63,          /* int    cycle there that is most like the mean; -1: none */
+    STLTSA_INFO_REASON = 64,        /* text   why nothing repeats; empty if anything does */
+    STLTSA_INFO_EIGENVALUE = 65,    /* real[] eigenvalues of B, ascending from the zero one; of a
+                                       model, of B / k, for the dimension */
+    STLTSA_INFO_POSTURES = 68,      /* int[]  up to 24 distinct frames for pictures, best first */
+    STLTSA_INFO_SEGMENT = 50,       /* rows   stltsa_segment, in order; they cover the clip */
+    STLTSA_INFO_UNIT = 51,          /* rows   stltsa_unit, in order; they cover the clip, too */
+    STLTSA_INFO_CYCLE = 52,         /* rows   stltsa_part, in order */
+    STLTSA_INFO_STEP = 53,          /* rows   stltsa_part: half cycles, if sides alternate */
+    STLTSA_INFO_REPETITION = 54,    /* rows   stltsa_part: the actions of repetitions */
+    STLTSA_INFO_SUMMARY = 55,       /* rows   stltsa_summary: one for each label that repeats */
+    STLTSA_INFO_SIDE = 56,          /* int[]  STLTSA_SIDE_* of sides 0 and 1, in right-handed axes;
+                                       STLTSA_SIDE_NONE: no names tell */
+    STLTSA_INFO_CURVE = 57,         /* array  rows x 1: smoothed coordinate of each cyclic segment,
+                                       else 0; of a denoising, rows x columns: the curve f_c */
+    STLTSA_INFO_LABEL_LIKENESS = 58, /* array  labels x labels: mean likeness of their segments, 0
+                                       to 1; from about 0.65 on, segments share a label, except
+                                       repetitions. NaN: one segment with itself */
     /* Models that were fitted with option intrinsic (section 2.3): two estimates of the dimension of
      * the manifold, the paper's first eigengap above tau, and the median number of local principal
      * directions that explain the share `variance` of a neighborhood. B is built with tangent
      * dimension d. The eigengap counts lambda_1 = 0, and one eigenvalue more than d is small by
      * construction, so this estimate depends on d: compare it with local PCA. */
-    STLTSA_INFO_LOCAL_PCA = 66,         /* int    intrinsic dimension by local PCA; 0: cannot
-                                                  tell */
-    STLTSA_INFO_EIGENGAP = 67,          /* int    intrinsic dimension by the eigengap; 0:
-                                                  cannot tell */
-    STLTSA_INFO_LOCAL_PCA_REASON = 70,  /* text   why local PCA cannot tell; empty if it can */
-    STLTSA_INFO_EIGENGAP_REASON = 71,   /* text   why the eigengap cannot tell; empty if it can */
-    STLTSA_INFO_VARIANCE = 72,          /* real   share of local variance that local PCA must
-                                                  explain */
+    STLTSA_INFO_LOCAL_PCA = 66,     /* int    intrinsic dimension by local PCA; 0: cannot tell */
+    STLTSA_INFO_EIGENGAP = 67,      /* int    intrinsic dimension by the eigengap; 0: cannot tell */
+    STLTSA_INFO_LOCAL_PCA_REASON = 70, /* text   why local PCA cannot tell; empty if it can */
+    STLTSA_INFO_EIGENGAP_REASON = 71, /* text   why the eigengap cannot tell; empty if it can */
+    STLTSA_INFO_VARIANCE = 72,      /* real   share of local variance that local PCA must explain */
     STLTSA_INFO_EIGENGAP_THRESHOLD = 73, /* real   tau of section 2.3 as a fraction of k */
-    STLTSA_INFO_LOCAL_VARIANCE = 74,    /* real[] mean share of a neighborhood's variance along
-                                                  each of its principal directions */
+    STLTSA_INFO_LOCAL_VARIANCE = 74, /* real[] mean share of variance of each local direction */
     /* Denoisings. */
-    STLTSA_INFO_COLUMN = 80,            /* rows   stltsa_denoised_column: one for each column */
-    STLTSA_INFO_CLEANED = 81,           /* array  rows x columns: the points after equation (1) */
-    STLTSA_INFO_MOVES = 82,             /* array  rows x columns: displacement of each point; 0: not
-                                                  moved */
-    STLTSA_INFO_GAMMA_OPTION = 85,      /* real   option gamma; none: chosen for each column */
-    STLTSA_INFO_KNOT_ROWS = 86,         /* real   rows between the knots of the curve */
-    STLTSA_INFO_ROBUST = 87,            /* int    1: the influence of spikes is reduced */
-    STLTSA_INFO_FIT_PERIOD_MIN = 88,    /* real   period_min of the model whose coordinates
-                                                  these are; 0: none */
-    STLTSA_INFO_FIT_PERIOD_MAX = 89,    /* real   period_max of that model; 0: none */
-    STLTSA_INFO_NOTHING_TO_CLEAN = 92,  /* int    1: the noise of every column is below 0.5 % of
-                                                  its range, which cannot be seen in a figure */
+    STLTSA_INFO_COLUMN = 80,        /* rows   stltsa_denoised_column: one for each column */
+    STLTSA_INFO_CLEANED = 81,       /* array  rows x columns: the points after equation (1) */
+    STLTSA_INFO_MOVES = 82,         /* array  rows x columns: how far each point was moved */
+    STLTSA_INFO_GAMMA_OPTION = 85,  /* real   option gamma; none: chosen for each column */
+    STLTSA_INFO_KNOT_ROWS = 86,     /* real   rows between the knots of the curve */
+    STLTSA_INFO_ROBUST = 87,        /* int    1: the influence of spikes is reduced */
+    STLTSA_INFO_FIT_PERIOD_MIN = 88, /* real   period_min of the model of the coordinates; 0:
+                                       none */
+    STLTSA_INFO_FIT_PERIOD_MAX = 89, /* real   period_max of that model; 0: none */
+    STLTSA_INFO_NOTHING_TO_CLEAN = 92, /* int    1: noise is below 0.5 % of each column's range */
     /* Syntheses. */
-    STLTSA_INFO_CROSSFADE = 100,        /* real   option crossfade; none: chosen for each seam */
-    STLTSA_INFO_CUT_RANGE = 101,        /* real   option cut_range; none: chosen for each seam */
-    STLTSA_INFO_POSTURE_LIMIT = 102,    /* real   option posture_limit; 0: none */
-    STLTSA_INFO_PIECE = 103,            /* rows   stltsa_piece_fact: what was joined */
-    STLTSA_INFO_SEAM = 104,             /* rows   stltsa_seam, in temporal order */
-    STLTSA_INFO_LOOP = 107,             /* int    1: a loop; only loops have the next six facts */
-    STLTSA_INFO_IN_PLACE = 108,         /* int    option in_place */
-    STLTSA_INFO_TRAVEL = 109,           /* real[] x, y, z of the body's travel per loop along the
-                                                  ground, in the clip's unit; in place: what was
-                                                  removed */
-    STLTSA_INFO_TURN = 110,             /* real   degrees by which the body turns per loop, from
-                                                  above positive to its left; in place: what was
-                                                  removed */
-    STLTSA_INFO_COVERAGE = 111,         /* real   share of the clip's cycles that are in the loop
-                                                  (stltsa_synthesize_loop), otherwise of the
-                                                  pieces' frames */
-    STLTSA_INFO_LOOP_CYCLES = 112,      /* int    cycles in the loop, if chosen among the clip's */
-    STLTSA_INFO_SOURCE_CYCLES = 113,    /* int    cycles of the clip, if chosen among them */
+    STLTSA_INFO_CROSSFADE = 100,    /* real   option crossfade; none: chosen for each seam */
+    STLTSA_INFO_CUT_RANGE = 101,    /* real   option cut_range; none: chosen for each seam */
+    STLTSA_INFO_POSTURE_LIMIT = 102, /* real   option posture_limit; 0: none */
+    STLTSA_INFO_PIECE = 103,        /* rows   stltsa_piece_fact: what was joined */
+    STLTSA_INFO_SEAM = 104,         /* rows   stltsa_seam, in order */
+    STLTSA_INFO_LOOP = 107,         /* int    1: a loop; only loops have the next six facts */
+    STLTSA_INFO_IN_PLACE = 108,     /* int    option in_place */
+    STLTSA_INFO_TRAVEL = 109,       /* real[] x, y, z of the travel per loop along the ground; in
+                                       place: what was removed */
+    STLTSA_INFO_TURN = 110,         /* real   degrees of turn per loop, positive to the left; in
+                                       place: what was removed */
+    STLTSA_INFO_COVERAGE = 111,     /* real   share of cycles, or pieces' frames, in the loop */
+    STLTSA_INFO_LOOP_CYCLES = 112,  /* int    cycles in the loop, if chosen among the clip's */
+    STLTSA_INFO_SOURCE_CYCLES = 113, /* int    cycles of the clip, if chosen among them */
     /* Everything but clips and streams. */
-    STLTSA_INFO_WARNING = 120,          /* rows   stltsa_warning: what a user should know about the
-                                                  result */
+    STLTSA_INFO_WARNING = 120,      /* rows   stltsa_warning: what to know about the result */
     /* Clips: what the file states. */
-    STLTSA_INFO_LENGTH_UNIT = 130,      /* text   unit of lengths, such as mm; empty: unknown */
-    STLTSA_INFO_FILE_UP_AXIS = 131,     /* int    axis that points up: 1, 2, 3 for x, y, z (TRC: y,
-                                                  by convention); 0: the file does not say */
-    STLTSA_INFO_JOINT = 132,            /* rows   stltsa_joint, parents first; none without a skeleton */
-    STLTSA_INFO_FILE_EVENT = 133,       /* rows   stltsa_file_event, in order of time */
-    STLTSA_INFO_CHANNELS = 134,         /* int    channels, columns or coordinates of each frame */
-    STLTSA_INFO_POSITIONS = 135,        /* array  frames x (3 * joints): world positions by forward
-                                                  kinematics; none without a skeleton */
-    STLTSA_INFO_ROTATIONS = 136,        /* array  frames x (4 * joints): local rotations w x y z, with
-                                                  signs continuous over time; none without a
-                                                  skeleton */
+    STLTSA_INFO_LENGTH_UNIT = 130,  /* text   unit of lengths, such as mm; empty: unknown */
+    STLTSA_INFO_FILE_UP_AXIS = 131, /* int    up axis that the file states (TRC: y); 0: none */
+    STLTSA_INFO_JOINT = 132,        /* rows   stltsa_joint, parents first */
+    STLTSA_INFO_FILE_EVENT = 133,   /* rows   stltsa_file_event, in order of time */
+    STLTSA_INFO_CHANNELS = 134,     /* int    channels, columns or coordinates of each frame */
+    STLTSA_INFO_POSITIONS = 135,    /* array  frames x (3 * joints): positions in the world */
+    STLTSA_INFO_ROTATIONS = 136,    /* array  frames x (4 * joints): local, w x y z, continuous */
     /* Phases. */
-    STLTSA_INFO_PHASE = 140,            /* array  frames x 1, of each frame of the file, in [0, 1);
-                                                  NaN outside cycles */
-    STLTSA_INFO_PHASE_RESIDUAL = 141,   /* array  frames x 1: distance from the mean cycle in pose and
-                                                  velocity, as a share of the root mean square
-                                                  deviation of the motion; NaN outside cycles */
-    STLTSA_INFO_PHASE_CYCLE = 142,      /* array  frames x 1: index of the cycle; -1 outside cycles */
-    STLTSA_INFO_PHASE_ZERO = 143,       /* real[] of each label, the phase, in [0, 1), at which the
-                                                  body is at the same place in every clip and person
-                                                  with the same features, wherever their cycles begin:
-                                                  where the legs pass each other, if the two sides of
-                                                  the body are known and swing; 0: a label with
-                                                  repetitions only; NaN: one with neither */
-    STLTSA_INFO_OWNER = 144,            /* text[] the joint, or the point or column of the file, that
-                                                  each column of the features belongs to: makes the
-                                                  groups of stltsa_cycles_group_distance */
+    STLTSA_INFO_PHASE = 140,        /* array  frames of the file x 1, in [0, 1); NaN: no cycle */
+    STLTSA_INFO_PHASE_RESIDUAL = 141, /* array  frames x 1: distance from the mean cycle, as a share
+                                       of the motion's rms deviation; NaN: no cycle */
+    STLTSA_INFO_PHASE_CYCLE = 142,  /* array  frames x 1: index of the cycle; -1: no cycle */
+    STLTSA_INFO_PHASE_ZERO = 143,   /* real[] phase of one place in the motion of each label, the
+                                       same in every clip and person with these features: where the
+                                       legs pass each other, if that is known; 0: only repetitions;
+                                       NaN: neither */
+    STLTSA_INFO_OWNER = 144,        /* text[] joint, point or column that each feature belongs to,
+                                       for stltsa_cycles_group_distance */
     /* Signals over cycles. */
-    STLTSA_INFO_VALUES = 150,           /* array[] samples x columns: each cycle */
-    STLTSA_INFO_MEAN = 151,             /* array[] samples x columns: mean over the cycles; of a
-                                                  comparison, of the first and the second motion, at
-                                                  phases of the first */
-    STLTSA_INFO_DEVIATION = 152,        /* array[] the same: standard deviation; of a single cycle,
-                                                  NaN */
-    STLTSA_INFO_SAMPLE_FRAMES = 153,    /* array  cycles x samples: the frame of each sample, not
-                                                  rounded */
-    STLTSA_INFO_WARP = 154,             /* array  cycles x samples: how much later than in linear
-                                                  time, as a share of the cycle */
-    STLTSA_INFO_DISTANCE = 155,         /* array  cycles x 1: distance of each cycle from the mean,
-                                                  root mean square over samples and columns, as a
-                                                  share of the root of the variance along the mean
-                                                  cycle */
-    STLTSA_INFO_COLUMN_DISTANCE = 156,  /* array  cycles x columns: root mean square over the samples,
-                                                  in the unit of the signal */
+    STLTSA_INFO_VALUES = 150,       /* array[] samples x columns: each cycle */
+    STLTSA_INFO_MEAN = 151,         /* array[] samples x columns: mean of the cycles; of a
+                                       comparison, of both motions, at phases of the first */
+    STLTSA_INFO_DEVIATION = 152,    /* array[] the same: standard deviation; of one cycle, NaN */
+    STLTSA_INFO_SAMPLE_FRAMES = 153, /* array  cycles x samples: frame of each, not rounded */
+    STLTSA_INFO_WARP = 154,         /* array  cycles x samples: delay against linear time, as a
+                                       share of the cycle */
+    STLTSA_INFO_DISTANCE = 155,     /* array  cycles x 1: rms distance from the mean cycle, as a
+                                       share of the deviation along it */
+    STLTSA_INFO_COLUMN_DISTANCE = 156, /* array  cycles x columns: rms distance, unit of the
+                                       signal */
     /* Events. */
-    STLTSA_INFO_EVENT = 160,            /* rows   stltsa_event, in order of time */
-    STLTSA_INFO_LIKENESS = 161,         /* real   correlation of the mean cycles of the two clips; 1
-                                                  within a clip. Events of another person are to be
-                                                  trusted less below 0.95; below 0.6 it is another
-                                                  motion, and there are none */
+    STLTSA_INFO_EVENT = 160,        /* rows   stltsa_event, in order of time */
+    STLTSA_INFO_LIKENESS = 161,     /* real   correlation of both mean cycles, 1 within a clip;
+                                       below 0.95 events are less sure, below 0.6 there are none */
     /* Comparisons. */
-    STLTSA_INFO_COMPARISON = 170,       /* rows   stltsa_compared: one, about the whole */
-    STLTSA_INFO_MOTION = 171,           /* rows   stltsa_compared_motion: the first, the second */
-    STLTSA_INFO_PART = 172,             /* rows   stltsa_compared_part: joints, points or columns, in
-                                                  the order of the first clip */
-    STLTSA_INFO_PART_CHANNEL = 173,     /* rows   stltsa_compared_part: the coordinates of the parts,
-                                                  part by part */
-    STLTSA_INFO_DIFFERENCE = 174,       /* array  samples x channels: second minus first */
-    STLTSA_INFO_STANDARD_ERROR = 175,   /* array  samples x channels: its standard error */
-    STLTSA_INFO_MARGIN = 176,           /* array  samples x channels: half the width of its 95 %
-                                                  interval, which holds for one sample: of 100 samples
-                                                  without a difference, about five exclude 0 by
-                                                  chance */
+    STLTSA_INFO_COMPARISON = 170,   /* rows   stltsa_compared: one, about the whole */
+    STLTSA_INFO_MOTION = 171,       /* rows   stltsa_compared_motion: the first, the second */
+    STLTSA_INFO_PART = 172,         /* rows   stltsa_compared_part: joints, points or columns */
+    STLTSA_INFO_PART_CHANNEL = 173, /* rows   stltsa_compared_part: coordinates, part by part */
+    STLTSA_INFO_DIFFERENCE = 174,   /* array  samples x channels: second minus first */
+    STLTSA_INFO_STANDARD_ERROR = 175, /* array  samples x channels: its standard error */
+    STLTSA_INFO_MARGIN = 176,       /* array  samples x channels: half of its 95 % interval at one
+                                       sample, so 5 in 100 exclude 0 by chance */
     /* Streams. */
-    STLTSA_INFO_MARK = 180              /* text[] marks of the model, in the order in which they were
-                                                  kept */
+    STLTSA_INFO_MARK = 180          /* text[] marks of the model, in the order they were kept */
 };
 
 /* Kinds of warnings; new ones may be added. Those of a synthesis have the time of their seam. */
@@ -630,26 +543,25 @@ STLTSA_API int64_t stltsa_info_count(const stltsa_info *info, int32_t key) STLTS
 /* One value; index 0 if the key has a single value. A text is valid as long as the handle.
  * E_ARGUMENT: the handle lacks that fact or value, or the key is of another type. */
 STLTSA_API stltsa_status stltsa_info_int(const stltsa_info *info, int32_t key, int64_t index,
-                                         int64_t *value) STLTSA_NOEXCEPT;
+    int64_t *value) STLTSA_NOEXCEPT;
 STLTSA_API stltsa_status stltsa_info_real(const stltsa_info *info, int32_t key, int64_t index,
-                                          double *value) STLTSA_NOEXCEPT;
+    double *value) STLTSA_NOEXCEPT;
 STLTSA_API stltsa_status stltsa_info_text(const stltsa_info *info, int32_t key, int64_t index,
-                                          const char **value) STLTSA_NOEXCEPT;
+    const char **value) STLTSA_NOEXCEPT;
 
 /* Copies rows [begin, begin + count) of a list to an array of the struct that the key names. row_size:
  * its sizeof. Texts in it are UTF-8, and valid as long as the handle. E_ARGUMENT: the handle lacks
  * that list or one of these rows; nothing is written then. */
 STLTSA_API stltsa_status stltsa_info_rows(const stltsa_info *info, int32_t key, int64_t begin,
-                                          int64_t count, void *rows,
-                                          size_t row_size) STLTSA_NOEXCEPT;
+    int64_t count, void *rows, size_t row_size) STLTSA_NOEXCEPT;
 
 /* Writes an array, as F32, F64 or, if its numbers are whole, I64. index: which, if there are several;
  * otherwise 0. E_ARGUMENT: the handle lacks it. E_SHAPE. */
 STLTSA_API stltsa_status stltsa_info_array(const stltsa_info *info, int32_t key, int64_t index,
-                                           const stltsa_out *array) STLTSA_NOEXCEPT;
+    const stltsa_out *array) STLTSA_NOEXCEPT;
 /* Its shape; of all arrays of a key. E_ARGUMENT: the handle lacks it. */
 STLTSA_API stltsa_status stltsa_info_shape(const stltsa_info *info, int32_t key, int64_t *rows,
-                                           int64_t *cols) STLTSA_NOEXCEPT;
+    int64_t *cols) STLTSA_NOEXCEPT;
 
 /* The JSON object of a clip, a model, a decomposition, a comparison, a denoising or a synthesis
  * (schemas stltsa-clip/1, stltsa-model/1, stltsa-decomposition/2, stltsa-comparison/1,
@@ -717,26 +629,25 @@ enum {
 
 /* Reads a clip. The suffix decides the format, or the content if the suffix is unknown. A folder of a
  * BIDS dataset stands for the one *_motion.tsv in it. Options: fps, skeleton, subject,
- * least_confidence, progress. E_ARGUMENT (several subjects, or several such files; the text lists
+ * min_confidence, progress. E_ARGUMENT (several subjects, or several such files; the text lists
  * them), E_IO, E_FORMAT (the text has path, line and remedy), E_NOT_FINITE. */
 STLTSA_API stltsa_status stltsa_clip_open(const char *path, const stltsa_options *options,
-                                          stltsa_clip **clip) STLTSA_NOEXCEPT;
+    stltsa_clip **clip) STLTSA_NOEXCEPT;
 
 /* The same, or a stretch of the clip, whose name follows the path: "walk.bvh:2.5s-9s", see
  * stltsa_clip_stretch; a file of exactly this name comes first. The options of stltsa_decompose count
  * for the names that need it. */
 STLTSA_API stltsa_status stltsa_clip_open_stretch(const char *text, const stltsa_options *options,
-                                                  stltsa_clip **clip) STLTSA_NOEXCEPT;
+    stltsa_clip **clip) STLTSA_NOEXCEPT;
 
 /* The same as stltsa_clip_open from memory; if format is 0, the content decides. name: for messages
  * and as the path of the clip; NULL: it has none. */
 STLTSA_API stltsa_status stltsa_clip_parse(const void *bytes, size_t size, int32_t format,
-                                           const char *name, const stltsa_options *options,
-                                           stltsa_clip **clip) STLTSA_NOEXCEPT;
+    const char *name, const stltsa_options *options, stltsa_clip **clip) STLTSA_NOEXCEPT;
 
 /* A clip without a skeleton from a matrix, rows = frames, which is copied. fps: 1e-9 to 1e6. */
 STLTSA_API stltsa_status stltsa_clip_from_matrix(const stltsa_in *frames, double fps,
-                                                 stltsa_clip **clip) STLTSA_NOEXCEPT;
+    stltsa_clip **clip) STLTSA_NOEXCEPT;
 
 /* Points in space or in a plane, such as markers or key points. Set size to
  * sizeof(stltsa_points), and all else to 0 or NULL that is not used. */
@@ -753,12 +664,11 @@ typedef struct stltsa_points {
 } stltsa_points;
 
 /* A clip of points, which are copied. Frames at uneven times are resampled to the rate of the
- * usual step, and a note says so; frames that are missing there are gaps. Option: least_confidence.
+ * usual step, and a note says so; frames that are missing there are gaps. Option: min_confidence.
  * E_SHAPE, E_ARGUMENT (times that do not increase, no rate, a rate that differs from fps or is not
  * from 1e-9 to 1e6), E_FORMAT (more frames are missing than there are), E_NOT_FINITE (infinities). */
 STLTSA_API stltsa_status stltsa_clip_from_points(const stltsa_points *points,
-                                                 const stltsa_options *options,
-                                                 stltsa_clip **clip) STLTSA_NOEXCEPT;
+    const stltsa_options *options, stltsa_clip **clip) STLTSA_NOEXCEPT;
 
 /* A joint or an end site of a skeleton. A row; input as well. */
 typedef struct stltsa_joint {
@@ -789,9 +699,8 @@ enum {
  * fps: 1e-9 to 1e6. E_SHAPE, E_ARGUMENT (a parent after its child, unknown channels, no rotation),
  * E_NOT_FINITE. */
 STLTSA_API stltsa_status stltsa_clip_from_skeleton(const stltsa_joint *joints, size_t joint_size,
-                                                   int64_t count, int32_t form, const stltsa_in *rotations,
-                                                   const stltsa_in *root_positions, double fps,
-                                                   stltsa_clip **clip) STLTSA_NOEXCEPT;
+    int64_t count, int32_t form, const stltsa_in *rotations, const stltsa_in *root_positions,
+    double fps, stltsa_clip **clip) STLTSA_NOEXCEPT;
 
 /* Sets the path that messages and results give for a clip made from arrays. The path is copied;
  * NULL clears it. No other call may use the clip at the same time, and a path that stltsa_info_text
@@ -808,14 +717,13 @@ STLTSA_API stltsa_status stltsa_clip_set_path(stltsa_clip *clip, const char *pat
  * All but the first need a decomposition: options as stltsa_decompose. E_ARGUMENT (another text),
  * E_NO_SUCH_PART. */
 STLTSA_API stltsa_status stltsa_clip_stretch(const stltsa_clip *clip, const char *what,
-                                             const stltsa_options *options,
-                                             stltsa_clip **stretch) STLTSA_NOEXCEPT;
+    const stltsa_options *options, stltsa_clip **stretch) STLTSA_NOEXCEPT;
 /* The mirror image of a clip: what the left side did, the right one does. Joints or points whose names
  * differ in the side only (LeftFoot and RightFoot, L_toe and R_toe, lfemur and rfemur) change places.
  * Events that are marked on one side are found on the other in the phase of the mirror image. Option:
  * up axis. E_UNSUPPORTED: no two such names, a skeleton whose sides differ, or a matrix. */
 STLTSA_API stltsa_status stltsa_clip_mirror(const stltsa_clip *clip, const stltsa_options *options,
-                                            stltsa_clip **mirrored) STLTSA_NOEXCEPT;
+    stltsa_clip **mirrored) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_clip_free(stltsa_clip *clip) STLTSA_NOEXCEPT;
 /* Path, format, frames, notes, ...: see STLTSA_INFO_*. */
 STLTSA_API const stltsa_info *stltsa_clip_info(const stltsa_clip *clip) STLTSA_NOEXCEPT;
@@ -833,11 +741,9 @@ typedef struct stltsa_file_event {
 
 /* Features of every source frame, not smoothed: frames x count. Options: features, up axis. */
 STLTSA_API stltsa_status stltsa_clip_feature_count(const stltsa_clip *clip,
-                                                   const stltsa_options *options,
-                                                   int64_t *count) STLTSA_NOEXCEPT;
+    const stltsa_options *options, int64_t *count) STLTSA_NOEXCEPT;
 STLTSA_API stltsa_status stltsa_clip_features(const stltsa_clip *clip,
-                                              const stltsa_options *options,
-                                              const stltsa_out *features) STLTSA_NOEXCEPT;
+    const stltsa_options *options, const stltsa_out *features) STLTSA_NOEXCEPT;
 
 /* Writes a clip, completely or not at all. The suffix decides the format: .bvh (any skeleton, with
  * its hierarchy, channel order, units and frame time), .amc (only clips read from AMC; their ASF
@@ -848,7 +754,7 @@ STLTSA_API stltsa_status stltsa_clip_features(const stltsa_clip *clip,
  * the frame rate that the format needs), E_IO (also if another skeleton has the place of the ASF
  * file). Option: progress, which can cancel until the file is complete. */
 STLTSA_API stltsa_status stltsa_clip_save(const stltsa_clip *clip, const char *path,
-                                          const stltsa_options *options) STLTSA_NOEXCEPT;
+    const stltsa_options *options) STLTSA_NOEXCEPT;
 
 /* ---- The manifold curve: STLTSA --------------------------------------------------------- */
 
@@ -870,8 +776,7 @@ typedef struct stltsa_model stltsa_model;
  * E_SHAPE, E_NOT_FINITE, E_TOO_FEW_FRAMES, E_ARGUMENT (d + 2 <= k <= w + 1 is required),
  * E_DEGENERATE, E_NOT_CONVERGED, E_CANCELLED, E_NO_MEMORY. */
 STLTSA_API stltsa_status stltsa_fit(const stltsa_in *frames, const stltsa_in *lengths,
-                                    const stltsa_options *options,
-                                    stltsa_model **model) STLTSA_NOEXCEPT;
+    const stltsa_options *options, stltsa_model **model) STLTSA_NOEXCEPT;
 
 /* The same from the features of clips, each prepared separately: without a T-pose at its start and
  * without the frames before the body is recorded and after it has left, smoothed and (option
@@ -882,8 +787,7 @@ STLTSA_API stltsa_status stltsa_fit(const stltsa_in *frames, const stltsa_in *le
  * between two breaks. E_SHAPE: a clip differs from the first in joints, channels, features, or rate
  * after decimation. */
 STLTSA_API stltsa_status stltsa_fit_clips(const stltsa_clip *const *clips, int64_t count,
-                                          const stltsa_options *options,
-                                          stltsa_model **model) STLTSA_NOEXCEPT;
+    const stltsa_options *options, stltsa_model **model) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_model_free(stltsa_model *model) STLTSA_NOEXCEPT;
 STLTSA_API const stltsa_info *stltsa_model_info(const stltsa_model *model) STLTSA_NOEXCEPT;
 
@@ -931,9 +835,8 @@ typedef struct stltsa_unit {
 /* The frames of a stretch, named as for stltsa_clip_stretch: `count` is set to the number of
  * intervals (1, except for labels), of which the first `capacity` are written. */
 STLTSA_API stltsa_status stltsa_clip_find(const stltsa_clip *clip, const char *what,
-                                          const stltsa_options *options, int64_t capacity,
-                                          stltsa_interval *intervals,
-                                          int64_t *count) STLTSA_NOEXCEPT;
+    const stltsa_options *options, int64_t capacity, stltsa_interval *intervals, int64_t *count)
+    STLTSA_NOEXCEPT;
 
 enum {
     STLTSA_SEGMENT_CYCLIC = 1,      /* cycles back to back */
@@ -1045,17 +948,16 @@ typedef struct stltsa_summary {
  * E_ARGUMENT: the clip's fps is unknown (set option fps when you open it). Other errors as
  * stltsa_fit. */
 STLTSA_API stltsa_status stltsa_decompose(const stltsa_clip *clip, const stltsa_options *options,
-                                          stltsa_decomposition **decomposition) STLTSA_NOEXCEPT;
+    stltsa_decomposition **decomposition) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_decomposition_free(stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
-STLTSA_API const stltsa_info *
-stltsa_decomposition_info(const stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
+STLTSA_API const stltsa_info * stltsa_decomposition_info(const stltsa_decomposition *decomposition)
+    STLTSA_NOEXCEPT;
 
 /* Of a quantity (STLTSA_QUANTITY_*) of the parts of one kind (STLTSA_INFO_CYCLE, _STEP or
  * _REPETITION), label and side (-1: of both). Parts whose quantity is unknown are left out. */
-STLTSA_API stltsa_status
-stltsa_decomposition_statistics(const stltsa_decomposition *decomposition, int32_t kind,
-                                int64_t label, int32_t side, int32_t quantity,
-                                stltsa_statistics *statistics) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_decomposition_statistics(const stltsa_decomposition *decomposition,
+    int32_t kind, int64_t label, int32_t side, int32_t quantity, stltsa_statistics *statistics)
+    STLTSA_NOEXCEPT;
 
 /* ---- Mapping in both directions (section 2.4) ----------------------------------------- */
 
@@ -1079,17 +981,15 @@ stltsa_decomposition_statistics(const stltsa_decomposition *decomposition, int32
  * Options: map_neighbors, map_blend, hint_window, threads, progress. E_SHAPE, E_NOT_FINITE,
  * E_ARGUMENT, E_UNSUPPORTED (the model kept no frames), E_CANCELLED. */
 STLTSA_API stltsa_status stltsa_map(const stltsa_model *model, const stltsa_in *frames,
-                                    const stltsa_in *hints, const stltsa_options *options,
-                                    const stltsa_out *coords, const stltsa_out *distance,
-                                    const stltsa_out *nearest) STLTSA_NOEXCEPT;
+    const stltsa_in *hints, const stltsa_options *options, const stltsa_out *coords,
+    const stltsa_out *distance, const stltsa_out *nearest) STLTSA_NOEXCEPT;
 
 /* The same for every source frame of a clip: rows = stltsa_clip_frames(clip). Features, up axis
  * and smoothing are those of the model, so a fitted clip gets its own coordinates at its model
  * rows. The model must be fitted to a clip. E_SHAPE: the features of the two differ. */
 STLTSA_API stltsa_status stltsa_map_clip(const stltsa_model *model, const stltsa_clip *clip,
-                                         const stltsa_options *options, const stltsa_out *coords,
-                                         const stltsa_out *distance,
-                                         const stltsa_out *nearest) STLTSA_NOEXCEPT;
+    const stltsa_options *options, const stltsa_out *coords, const stltsa_out *distance,
+    const stltsa_out *nearest) STLTSA_NOEXCEPT;
 
 /* The inverse: frames (rows x features) from points of the manifold (rows x d). Distance is from
  * the point to the rows of the model, divided by the usual distance of neighboring rows; beyond
@@ -1100,9 +1000,8 @@ STLTSA_API stltsa_status stltsa_map_clip(const stltsa_model *model, const stltsa
  * stltsa_unmap_clip, so bones keep their lengths. Options: as stltsa_map, and component.
  * E_DISCONNECTED: the model has several components, and option component is not set. */
 STLTSA_API stltsa_status stltsa_unmap(const stltsa_model *model, const stltsa_in *coords,
-                                      const stltsa_in *hints, const stltsa_options *options,
-                                      const stltsa_out *frames, const stltsa_out *distance,
-                                      const stltsa_out *nearest) STLTSA_NOEXCEPT;
+    const stltsa_in *hints, const stltsa_options *options, const stltsa_out *frames,
+    const stltsa_out *distance, const stltsa_out *nearest) STLTSA_NOEXCEPT;
 
 /* Poses from points of the manifold, as a clip with the fitted skeleton: rotations of all joints,
  * height and tilt; the body stays above the origin and keeps one heading. Each point becomes a
@@ -1110,9 +1009,8 @@ STLTSA_API stltsa_status stltsa_unmap(const stltsa_model *model, const stltsa_in
  * stltsa_map_clip, the rate of that clip); auto: STLTSA_INFO_FPS, the rate of the rows. Other
  * options: as stltsa_unmap. E_UNSUPPORTED: the model is of a matrix. E_SHAPE: no points. */
 STLTSA_API stltsa_status stltsa_unmap_clip(const stltsa_model *model, const stltsa_in *coords,
-                                           const stltsa_in *hints, const stltsa_options *options,
-                                           const stltsa_out *distance, const stltsa_out *nearest,
-                                           stltsa_clip **poses) STLTSA_NOEXCEPT;
+    const stltsa_in *hints, const stltsa_options *options, const stltsa_out *distance,
+    const stltsa_out *nearest, stltsa_clip **poses) STLTSA_NOEXCEPT;
 
 /* ---- Model files ------------------------------------------------------------------------- */
 
@@ -1120,16 +1018,16 @@ STLTSA_API stltsa_status stltsa_unmap_clip(const stltsa_model *model, const stlt
  * model has the same bits. Parsing is safe for untrusted bytes: E_FORMAT says what is wrong.
  * Free the bytes with stltsa_free. */
 STLTSA_API stltsa_status stltsa_model_serialize(const stltsa_model *model, unsigned char **bytes,
-                                                size_t *size) STLTSA_NOEXCEPT;
-STLTSA_API stltsa_status stltsa_model_parse(const void *bytes, size_t size,
-                                            stltsa_model **model) STLTSA_NOEXCEPT;
+    size_t *size) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_model_parse(const void *bytes, size_t size, stltsa_model **model)
+    STLTSA_NOEXCEPT;
 
 /* The same to and from a file, which is written completely or not at all. Option: progress. E_IO,
  * E_FORMAT. */
 STLTSA_API stltsa_status stltsa_model_save(const stltsa_model *model, const char *path,
-                                           const stltsa_options *options) STLTSA_NOEXCEPT;
+    const stltsa_options *options) STLTSA_NOEXCEPT;
 STLTSA_API stltsa_status stltsa_model_load(const char *path, const stltsa_options *options,
-                                           stltsa_model **model) STLTSA_NOEXCEPT;
+    stltsa_model **model) STLTSA_NOEXCEPT;
 
 /* ---- Phase and mean cycles --------------------------------------------------------------- */
 
@@ -1145,8 +1043,7 @@ typedef struct stltsa_phase stltsa_phase;
  * further smoothing. If a mean cycle explains less than 0.6 of the variance of the features, the
  * phase of its motion is linear in time, and a warning says so. Options used: progress. */
 STLTSA_API stltsa_status stltsa_phase_find(const stltsa_decomposition *decomposition,
-                                           const stltsa_options *options,
-                                           stltsa_phase **phase) STLTSA_NOEXCEPT;
+    const stltsa_options *options, stltsa_phase **phase) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_phase_free(stltsa_phase *phase) STLTSA_NOEXCEPT;
 STLTSA_API const stltsa_info *stltsa_phase_info(const stltsa_phase *phase) STLTSA_NOEXCEPT;
 
@@ -1166,17 +1063,15 @@ typedef struct stltsa_cycles stltsa_cycles;
  * cycle shorter than 6 frames is left out. A cycle that ends with the clip goes on at its beginning.
  * Option: progress. E_ARGUMENT: the label has neither cycles nor repetitions. E_SHAPE. */
 STLTSA_API stltsa_status stltsa_cycles_resample(const stltsa_phase *phase, int64_t label,
-                                                const stltsa_in *signals, int64_t samples,
-                                                const stltsa_options *options,
-                                                stltsa_cycles **cycles) STLTSA_NOEXCEPT;
+    const stltsa_in *signals, int64_t samples, const stltsa_options *options,
+    stltsa_cycles **cycles) STLTSA_NOEXCEPT;
 
 /* The same without registration: linear in time between borders, such as heel strikes.
  * borders   count x 1, at least 2 frames in ascending order, not rounded, from 0 to the number of
  *           frames, which is the end of the last one: samples after the beginning of the last frame
  *           are NaN */
 STLTSA_API stltsa_status stltsa_cycles_between(const stltsa_in *borders, const stltsa_in *signals,
-                                               int64_t samples, const stltsa_options *options,
-                                               stltsa_cycles **cycles) STLTSA_NOEXCEPT;
+    int64_t samples, const stltsa_options *options, stltsa_cycles **cycles) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_cycles_free(stltsa_cycles *cycles) STLTSA_NOEXCEPT;
 STLTSA_API const stltsa_info *stltsa_cycles_info(const stltsa_cycles *cycles) STLTSA_NOEXCEPT;
 
@@ -1185,8 +1080,7 @@ STLTSA_API const stltsa_info *stltsa_cycles_info(const stltsa_cycles *cycles) ST
  * distance  cycles x number of groups: root of the sum of squares over the columns of the group
  * E_ARGUMENT, E_SHAPE. */
 STLTSA_API stltsa_status stltsa_cycles_group_distance(const stltsa_cycles *cycles,
-                                                      const stltsa_in *groups,
-                                                      const stltsa_out *distance) STLTSA_NOEXCEPT;
+    const stltsa_in *groups, const stltsa_out *distance) STLTSA_NOEXCEPT;
 
 enum {
     STLTSA_SIDE_NONE = -1,
@@ -1231,8 +1125,7 @@ typedef struct stltsa_event {
  * that repeats, or the marks are spread all over the cycle. E_SHAPE: the features of the clips
  * differ. */
 STLTSA_API stltsa_status stltsa_events_find(const stltsa_phase *from, const stltsa_in *marks,
-                                            const stltsa_phase *in, const stltsa_options *options,
-                                            stltsa_events **events) STLTSA_NOEXCEPT;
+    const stltsa_phase *in, const stltsa_options *options, stltsa_events **events) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_events_free(stltsa_events *events) STLTSA_NOEXCEPT;
 STLTSA_API const stltsa_info *stltsa_events_info(const stltsa_events *events) STLTSA_NOEXCEPT;
 
@@ -1338,9 +1231,8 @@ typedef struct stltsa_compared_part {
  * E_ARGUMENT: a label has no cycles, or samples is out of range. E_SHAPE: the clips have different
  * kinds of features, or no name in common. */
 STLTSA_API stltsa_status stltsa_compare(const stltsa_phase *first, int64_t first_label,
-                                        const stltsa_phase *second, int64_t second_label,
-                                        int64_t samples, const stltsa_options *options,
-                                        stltsa_comparison **comparison) STLTSA_NOEXCEPT;
+    const stltsa_phase *second, int64_t second_label, int64_t samples,
+    const stltsa_options *options, stltsa_comparison **comparison) STLTSA_NOEXCEPT;
 
 /* Compares the left side of a body with its right side: the first motion is the left side, the
  * second the mirror image of the right side (stltsa_clip_mirror) half a cycle later, so that every
@@ -1352,10 +1244,8 @@ STLTSA_API stltsa_status stltsa_compare(const stltsa_phase *first, int64_t first
  * cycle are not known to be the same motion of opposite sides, no two names differ only in the side,
  * or the clip cannot be mirrored. */
 STLTSA_API stltsa_status stltsa_compare_left_right(const stltsa_clip *clip,
-                                                   const stltsa_phase *phase, int64_t label,
-                                                   int64_t samples,
-                                                   const stltsa_options *options,
-                                                   stltsa_comparison **comparison) STLTSA_NOEXCEPT;
+    const stltsa_phase *phase, int64_t label, int64_t samples, const stltsa_options *options,
+    stltsa_comparison **comparison) STLTSA_NOEXCEPT;
 /* The same of any signals, such as joint angles, EMG or forces, over cycles that were found, or that
  * begin with an event of the left side (stltsa_cycles_between). Cycles in which one of these signals
  * has a missing value are left out.
@@ -1369,16 +1259,14 @@ STLTSA_API stltsa_status stltsa_compare_left_right(const stltsa_clip *clip,
  * E_ARGUMENT: a name is NULL, or the cycles have fewer than 5 or more than 1001 samples.
  * E_UNSUPPORTED: as above. E_TOO_FEW_FRAMES: each cycle has a missing value. */
 STLTSA_API stltsa_status stltsa_cycles_compare_left_right(const stltsa_cycles *cycles,
-                                                          const char *const *names, double fps,
-                                                          const stltsa_options *options,
-                                                          stltsa_comparison **comparison)
-    STLTSA_NOEXCEPT;
+    const char *const *names, double fps, const stltsa_options *options,
+    stltsa_comparison **comparison) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_comparison_free(stltsa_comparison *comparison) STLTSA_NOEXCEPT;
 
 /* Among its warnings: few cycles, motions that are not alike, an uncertain shift, bodies of different
  * size or unit, and those of both phases. */
-STLTSA_API const stltsa_info *
-stltsa_comparison_info(const stltsa_comparison *comparison) STLTSA_NOEXCEPT;
+STLTSA_API const stltsa_info * stltsa_comparison_info(const stltsa_comparison *comparison)
+    STLTSA_NOEXCEPT;
 
 /* ---- Live phase ----------------------------------------------------------------------------- */
 
@@ -1388,11 +1276,11 @@ stltsa_comparison_info(const stltsa_comparison *comparison) STLTSA_NOEXCEPT;
  * not those of the model. E_DEGENERATE: nothing is left to compare a stream with, because all
  * columns only drift. */
 STLTSA_API stltsa_status stltsa_model_keep_cycle(stltsa_model *model, const stltsa_phase *phase,
-                                                 const stltsa_options *options) STLTSA_NOEXCEPT;
+    const stltsa_options *options) STLTSA_NOEXCEPT;
 /* Names the phase of a frame (not rounded) in those cycles, which a stream reports as it passes. At
  * most 62. E_ARGUMENT: the frame lies in no cycle of that motion; no name. */
 STLTSA_API stltsa_status stltsa_model_keep_mark(stltsa_model *model, const stltsa_phase *phase,
-                                                double frame, const char *name) STLTSA_NOEXCEPT;
+    double frame, const char *name) STLTSA_NOEXCEPT;
 /* Follows one stream: push one frame after another, each in the form in which it comes. The model
  * may be freed before it. Only stltsa_live_new allocates memory. No answer depends on later frames,
  * and there is no delay. */
@@ -1412,8 +1300,8 @@ typedef struct stltsa_live_frame {
 } stltsa_live_frame;
 
 /* E_UNSUPPORTED: the model keeps no mean cycle. */
-STLTSA_API stltsa_status stltsa_live_new(const stltsa_model *model,
-                                         stltsa_live **live) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_live_new(const stltsa_model *model, stltsa_live **live)
+    STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_live_free(stltsa_live *live) STLTSA_NOEXCEPT;
 STLTSA_API const stltsa_info *stltsa_live_info(const stltsa_live *live) STLTSA_NOEXCEPT;
 
@@ -1436,9 +1324,7 @@ STLTSA_API const stltsa_info *stltsa_live_info(const stltsa_live *live) STLTSA_N
  *             that the others imply. If more than half are lost, the frame is missing.
  * confidence  points x 1, 0: lost; NULL: all are seen */
 STLTSA_API stltsa_status stltsa_live_push_points(stltsa_live *live, double seconds,
-                                                 const stltsa_in *points,
-                                                 const stltsa_in *confidence,
-                                                 stltsa_live_frame *frame) STLTSA_NOEXCEPT;
+    const stltsa_in *points, const stltsa_in *confidence, stltsa_live_frame *frame) STLTSA_NOEXCEPT;
 /* form        STLTSA_ROTATIONS_*
  * rotations   local rotations, joints x 4 or x 9, or 1 x channels, in the order of the skeleton of
  *             the model's clip, which has the lengths of the bones; see stltsa_clip_from_skeleton.
@@ -1447,18 +1333,15 @@ STLTSA_API stltsa_status stltsa_live_push_points(stltsa_live *live, double secon
  * root        1 x 3, position of the root; NULL: it stays at its offset, or the channels say where
  *             it is. It counts only if a joint above the body's root moves. */
 STLTSA_API stltsa_status stltsa_live_push_pose(stltsa_live *live, double seconds, int32_t form,
-                                               const stltsa_in *rotations, const stltsa_in *root,
-                                               stltsa_live_frame *frame) STLTSA_NOEXCEPT;
+    const stltsa_in *rotations, const stltsa_in *root, stltsa_live_frame *frame) STLTSA_NOEXCEPT;
 /* index       frame of a clip with the joints or columns of the model's clip; its bones may have
  *             other lengths. To replay a clip: its other frames are not looked at */
 STLTSA_API stltsa_status stltsa_live_push_frame(stltsa_live *live, double seconds,
-                                                const stltsa_clip *clip, int64_t index,
-                                                stltsa_live_frame *frame) STLTSA_NOEXCEPT;
+    const stltsa_clip *clip, int64_t index, stltsa_live_frame *frame) STLTSA_NOEXCEPT;
 /* features    1 x features of the model. With a skeleton: a row of stltsa_clip_features; otherwise
  *             the numbers of the columns of the file, NaN if one is lost */
 STLTSA_API stltsa_status stltsa_live_push(stltsa_live *live, double seconds,
-                                          const stltsa_in *features,
-                                          stltsa_live_frame *frame) STLTSA_NOEXCEPT;
+    const stltsa_in *features, stltsa_live_frame *frame) STLTSA_NOEXCEPT;
 
 /* ---- Reports -------------------------------------------------------------------------------- */
 
@@ -1476,17 +1359,14 @@ STLTSA_API stltsa_status stltsa_live_push(stltsa_live *live, double seconds,
  * The same input gives the same bytes; there is no date in them. E_ARGUMENT: the decomposition is
  * of another clip. E_IO. */
 STLTSA_API stltsa_status stltsa_report_save(const stltsa_clip *clip,
-                                            const stltsa_decomposition *decomposition,
-                                            const stltsa_options *options, const char *command,
-                                            const char *path) STLTSA_NOEXCEPT;
+    const stltsa_decomposition *decomposition, const stltsa_options *options, const char *command,
+    const char *path) STLTSA_NOEXCEPT;
 /* Writes a report of a comparison in the same way: one HTML page with both mean cycles as moving
  * bodies, the largest differences in timing and amplitude with their confidence intervals, the
  * curves of each part with standard deviation, tables and warnings. command: as above. Option:
  * progress. E_IO. */
 STLTSA_API stltsa_status stltsa_comparison_report_save(const stltsa_comparison *comparison,
-                                                       const stltsa_options *options,
-                                                       const char *command,
-                                                       const char *path) STLTSA_NOEXCEPT;
+    const stltsa_options *options, const char *command, const char *path) STLTSA_NOEXCEPT;
 
 /* ---- Denoising (section 3.2) ------------------------------------------------------------- */
 
@@ -1500,15 +1380,13 @@ typedef struct stltsa_denoising stltsa_denoising;
  * period_min, period_max, progress. E_SHAPE, E_NOT_FINITE, E_TOO_FEW_FRAMES (fewer than 8 rows in a
  * clip). */
 STLTSA_API stltsa_status stltsa_denoise(const stltsa_in *coords, const stltsa_in *lengths,
-                                        const stltsa_options *options,
-                                        stltsa_denoising **denoising) STLTSA_NOEXCEPT;
+    const stltsa_options *options, stltsa_denoising **denoising) STLTSA_NOEXCEPT;
 /* The coordinates of a model, component by component; rate and period are those of the model. */
 STLTSA_API stltsa_status stltsa_denoise_model(const stltsa_model *model,
-                                              const stltsa_options *options,
-                                              stltsa_denoising **denoising) STLTSA_NOEXCEPT;
+    const stltsa_options *options, stltsa_denoising **denoising) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_denoising_free(stltsa_denoising *denoising) STLTSA_NOEXCEPT;
-STLTSA_API const stltsa_info *
-stltsa_denoising_info(const stltsa_denoising *denoising) STLTSA_NOEXCEPT;
+STLTSA_API const stltsa_info * stltsa_denoising_info(const stltsa_denoising *denoising)
+    STLTSA_NOEXCEPT;
 
 /* One column of a denoising. A row. */
 typedef struct stltsa_denoised_column {
@@ -1545,8 +1423,7 @@ typedef struct stltsa_synthesis stltsa_synthesis;
  * E_UNSUPPORTED (no skeleton, different hierarchies, no frame rate), E_NO_COMMON_POSTURE (beyond
  * posture_limit; the text says at which seam and by how much). */
 STLTSA_API stltsa_status stltsa_synthesize(const stltsa_piece *pieces, int64_t count,
-                                           const stltsa_options *options,
-                                           stltsa_synthesis **synthesis) STLTSA_NOEXCEPT;
+    const stltsa_options *options, stltsa_synthesis **synthesis) STLTSA_NOEXCEPT;
 /* The loop of a clip, as with option loop: of the ranges of consecutive cycles in `decomposition`,
  * which is of this clip, the longest with a good seam. A seam is good if the largest step near it,
  * in positions of the joints, is at most 1.2 times the 95th percentile: relative to the root, of the
@@ -1556,15 +1433,14 @@ STLTSA_API stltsa_status stltsa_synthesize(const stltsa_piece *pieces, int64_t c
  * piece is among the facts. Options and errors as in stltsa_synthesize; E_ARGUMENT: a cycle exceeds
  * the clip. */
 STLTSA_API stltsa_status stltsa_synthesize_loop(const stltsa_clip *clip,
-                                                const stltsa_decomposition *decomposition,
-                                                const stltsa_options *options,
-                                                stltsa_synthesis **synthesis) STLTSA_NOEXCEPT;
+    const stltsa_decomposition *decomposition, const stltsa_options *options,
+    stltsa_synthesis **synthesis) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_synthesis_free(stltsa_synthesis *synthesis) STLTSA_NOEXCEPT;
-STLTSA_API const stltsa_info *
-stltsa_synthesis_info(const stltsa_synthesis *synthesis) STLTSA_NOEXCEPT;
+STLTSA_API const stltsa_info * stltsa_synthesis_info(const stltsa_synthesis *synthesis)
+    STLTSA_NOEXCEPT;
 /* The new clip; it belongs to the synthesis. */
-STLTSA_API const stltsa_clip *
-stltsa_synthesis_clip(const stltsa_synthesis *synthesis) STLTSA_NOEXCEPT;
+STLTSA_API const stltsa_clip * stltsa_synthesis_clip(const stltsa_synthesis *synthesis)
+    STLTSA_NOEXCEPT;
 
 /* The place at which one piece is followed by another, or by its own repetition. A row. */
 typedef struct stltsa_seam {
@@ -1612,9 +1488,8 @@ typedef struct stltsa_batch stltsa_batch;
  * E_ARGUMENT (there is no clip, two would have one result, a wrong option or shard), E_IO (nothing
  * can be written into the folder). */
 STLTSA_API stltsa_status stltsa_batch_new(const char *const *paths, int64_t count,
-                                          const char *folder, const char *shard,
-                                          const stltsa_options *options,
-                                          stltsa_batch **batch) STLTSA_NOEXCEPT;
+    const char *folder, const char *shard, const stltsa_options *options, stltsa_batch **batch)
+    STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_batch_free(stltsa_batch *batch) STLTSA_NOEXCEPT;
 
 /* The path of a clip; NULL beyond the last one. */
@@ -1634,8 +1509,8 @@ STLTSA_API const char *stltsa_batch_path(const stltsa_batch *batch, int64_t inde
  * Errors of stltsa_clip_open and stltsa_decompose; E_IO (the result is that of another clip, or
  * cannot be written), E_ARGUMENT. */
 STLTSA_API stltsa_status stltsa_batch_run(const stltsa_batch *batch, int64_t index,
-                                          const stltsa_clip *clip, const stltsa_options *options,
-                                          int32_t *kept, char **row) STLTSA_NOEXCEPT;
+    const stltsa_clip *clip, const stltsa_options *options, int32_t *kept, char **row)
+    STLTSA_NOEXCEPT;
 
 /* Writes the rows as a table, summary.csv, or of a shard summary-2-8.csv, in the folder of results.
  *
@@ -1644,7 +1519,7 @@ STLTSA_API stltsa_status stltsa_batch_run(const stltsa_batch *batch, int64_t ind
  *
  * E_IO, E_ARGUMENT. */
 STLTSA_API stltsa_status stltsa_batch_finish(const stltsa_batch *batch, const char *const *rows,
-                                             int64_t count, const char **summary) STLTSA_NOEXCEPT;
+    int64_t count, const char **summary) STLTSA_NOEXCEPT;
 
 #ifdef __cplusplus
 }

@@ -94,7 +94,7 @@ struct Clip {
 
 struct ReadOptions {
     std::optional<double> fps;   ///< overrides the file's rate
-    double least_confidence = 0; ///< points that are seen with less are missing
+    double min_confidence = 0; ///< points that are seen with less are missing
     std::string skeleton;        ///< ASF path for AMC; empty: searched for in the file's folder
     std::string subject;         ///< whose points to take; empty: the only one's
     std::string channels;        ///< BIDS: path of the table of the columns; set by read()

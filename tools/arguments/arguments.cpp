@@ -79,7 +79,7 @@ const char* group_of(const stltsa::OptionInfo& option) {
     case STLTSA_OPT_FPS:
     case STLTSA_OPT_SKELETON:
     case STLTSA_OPT_SUBJECT:
-    case STLTSA_OPT_LEAST_CONFIDENCE:
+    case STLTSA_OPT_MIN_CONFIDENCE:
     case STLTSA_OPT_GAPS:
     case STLTSA_OPT_FEATURES:
     case STLTSA_OPT_UP_AXIS:

@@ -95,7 +95,7 @@ clip::ReadOptions OptionsReader::read_options() const {
         read.skeleton = text(STLTSA_OPT_SKELETON);
     if (is_set(options_, STLTSA_OPT_SUBJECT))
         read.subject = text(STLTSA_OPT_SUBJECT);
-    read.least_confidence = real(STLTSA_OPT_LEAST_CONFIDENCE);
+    read.min_confidence = real(STLTSA_OPT_MIN_CONFIDENCE);
     return read;
 }
 

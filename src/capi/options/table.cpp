@@ -8,10 +8,10 @@
 namespace stltsa::capi {
 namespace {
 
-constexpr double most_frames = 2147483647;
+constexpr double max_frames = 2147483647;
 /// In place of a default: the library chooses.
 constexpr double automatic = std::numeric_limits<double>::quiet_NaN();
-constexpr double least_rate = 0.001; // frames a second
+constexpr double min_rate = 0.001; // frames a second
 
 constexpr int32_t is_automatic(double standard) {
     return standard == standard ? 0 : 1;
@@ -40,12 +40,11 @@ constexpr int32_t maps = STLTSA_CALL_MAP | STLTSA_CALL_UNMAP;
 
 constexpr stltsa_option_info all_options[] = {
     whole(STLTSA_OPT_NEIGHBORS, embeds, "neighbors",
-          "Neighbors of each frame (k); auto: 1.2 periods if a period is found, otherwise 1.2 "
-          "seconds, or 12 frames if the rate is unknown.",
-          1, most_frames, automatic),
+          "Neighbors of each frame (k); auto: 1.2 periods, without a period 1.2 seconds, or 12 "
+          "frames without a rate.",
+          1, max_frames, automatic),
     whole(STLTSA_OPT_WINDOW, embeds, "window",
-          "Frames on each side in which neighbors may lie (w); auto: as neighbors.", 1, most_frames,
-          automatic),
+          "Window (w), frames to each side; auto: as neighbors.", 1, max_frames, automatic),
     whole(STLTSA_OPT_DIMENSION, embeds, "dimension",
           "Tangent dimension, the number of coordinates (d); auto: 2.", 1, 1000, automatic),
     whole(STLTSA_OPT_MODE, embeds, "mode",
@@ -55,11 +54,10 @@ constexpr stltsa_option_info all_options[] = {
           1, 3, STLTSA_MODE_TEMPORAL, "temporal=1 spatial=2 recurrent=3"),
     whole(STLTSA_OPT_INCLUDE_SELF, embeds, "include_self", "Count a frame among its own neighbors.",
           0, 1, 1),
-    whole(STLTSA_OPT_LINKS, embeds, "links",
-          "Recurrent mode: neighbors from outside the exclusion zone.", 1, most_frames, 4),
+    whole(STLTSA_OPT_LINKS, embeds, "links", "Recurrent: neighbors beyond the exclusion zone.", 1,
+          max_frames, 4),
     whole(STLTSA_OPT_EXCLUSION, embeds, "exclusion",
-          "Recurrent mode: frames on each side that cannot be links; auto: as window.", 1,
-          most_frames, automatic),
+          "Recurrent: half width of that zone, frames; auto: window.", 1, max_frames, automatic),
     whole(STLTSA_OPT_THREADS, analyzes | maps, "threads", "Threads; auto: one for each core.", 1,
           1024, automatic),
     whole(STLTSA_OPT_FEATURES, analyzes | STLTSA_CALL_FEATURES, "features",
@@ -76,57 +74,46 @@ constexpr stltsa_option_info all_options[] = {
     whole(STLTSA_OPT_KEEP_START, analyzes, "keep_start",
           "Keep a T-pose at the start instead of dropping it.", 0, 1, 0),
     real(STLTSA_OPT_FPS, embeds | STLTSA_CALL_OPEN | STLTSA_CALL_UNMAP | STLTSA_CALL_DENOISE, "fps",
-         "Frames per second, for files that have no rate; in others it replaces the rate and the "
-         "times, and a note says so (batch: it does not); unmap: points per second; auto: the "
-         "file's rate, or the model's.",
-         least_rate, 1e6, automatic),
+         "Frames per second, for files without a rate; in others it replaces rate and times, with "
+         "a note (not in batch); unmap: points per second; auto: the file's rate, or the model's.",
+         min_rate, 1e6, automatic),
     real(STLTSA_OPT_SAMPLE_RATE, analyzes, "sample_rate",
-         "Decimate clips to about this many frames per second: keep one frame in fps / rate, "
-         "rounded; 0: keep all.",
-         0, 1e6, 30),
+         "Decimate clips to about this frame rate; 0: keep all.", 0, 1e6, 30),
     real(STLTSA_OPT_SMOOTHING, analyzes, "smoothing",
-         "Standard deviation, in seconds, of the Gaussian that smooths the features; 0: no "
-         "smoothing.",
-         0, 10, 0.05),
+         "Smoothing of the features: sigma in seconds; 0: none.", 0, 10, 0.05),
     real(STLTSA_OPT_PERIOD_MIN, analyzes | STLTSA_CALL_DENOISE, "period_min",
          "Shortest period of the search, in seconds; in frames if the rate is unknown, 4 by "
          "default.",
          0.01, 3600, 0.3),
     real(STLTSA_OPT_PERIOD_MAX, analyzes | STLTSA_CALL_DENOISE, "period_max",
-         "Longest period of the search, in seconds; in frames if the rate is unknown, half of all "
-         "and "
-         "at most 1000 by default.",
+         "Longest period of the search, in seconds; in frames if the rate is unknown, half of all, "
+         "at most 1000, by default.",
          0.01, 3600, 6),
     real(STLTSA_OPT_EIGENGAP, STLTSA_CALL_FIT, "eigengap",
-         "Smallest gap between eigenvalues that determines the dimension, as a fraction of the "
-         "neighbors.",
-         0, 1, 0.1),
+         "Smallest eigengap that counts (tau), as a share of k.", 0, 1, 0.1),
     real(STLTSA_OPT_VARIANCE, STLTSA_CALL_FIT, "variance",
-         "Share of a neighborhood's variance that local PCA must explain.", 0.01, 1, 0.95),
+         "Share of local variance that local PCA must explain.", 0.01, 1, 0.95),
     whole(STLTSA_OPT_INTRINSIC, STLTSA_CALL_FIT, "intrinsic",
-          "Estimate the intrinsic dimension, too, by the eigengap and by local PCA.", 0, 1, 0),
+          "Also estimate the intrinsic dimension, in two ways.", 0, 1, 0),
     text(STLTSA_OPT_SKELETON, STLTSA_CALL_OPEN, "skeleton",
          "The ASF file of an AMC clip; auto: found beside the clip."),
     whole(STLTSA_OPT_KEEP_FRAMES, STLTSA_CALL_FIT, "keep_frames",
           "Keep the fitted frames in the model, so that it can map.", 0, 1, 1),
     whole(STLTSA_OPT_MAP_NEIGHBORS, maps, "map_neighbors",
-          "Rows for each local map; auto: the dimension plus 5, at least 10.", 1, most_frames,
-          automatic),
+          "Rows for each local map; auto: d + 5, at least 10.", 1, max_frames, automatic),
     whole(STLTSA_OPT_MAP_BLEND, maps, "map_blend",
           "Local maps to blend, each from its own part of the curve.", 1, 1000, 3),
     whole(STLTSA_OPT_HINT_WINDOW, maps, "hint_window",
-          "Rows to search on each side of a hint; auto: a fifth of the neighbors.", 1, most_frames,
-          automatic),
+          "Rows to search on each side of a hint; auto: k / 5.", 1, max_frames, automatic),
     whole(STLTSA_OPT_COMPONENT, STLTSA_CALL_UNMAP, "component",
-          "Component of the coordinates, counted from 0; auto: the only one.", 0, most_frames,
-          automatic),
+          "Component of the coordinates, from 0; auto: the only one.", 0, max_frames, automatic),
     real(STLTSA_OPT_GAMMA, STLTSA_CALL_DENOISE, "gamma",
-         "Distance from the curve beyond which a point is noisy, in units of the coordinate; auto: "
-         "one robust standard deviation of the residuals.",
+         "Distance from the curve beyond which a point is noisy; auto: a robust standard deviation "
+         "of the residuals.",
          0, 1e15, automatic),
     real(STLTSA_OPT_KNOT_SPACING, STLTSA_CALL_DENOISE, "knot_spacing",
-         "Spacing of the curve's knots in seconds, or in rows if the rate is unknown; auto: a "
-         "tenth of the period, or 2 rows if no period is found.",
+         "Seconds between knots, or rows if the rate is unknown; auto: a tenth of the period, "
+         "otherwise 2 rows.",
          0.001, 1e6, automatic),
     whole(STLTSA_OPT_ROBUST, STLTSA_CALL_DENOISE, "robust",
           "Reduce the influence of spikes on the curve.", 0, 1, 1),
@@ -135,30 +122,28 @@ constexpr stltsa_option_info all_options[] = {
          "between clips.",
          0, 60, automatic),
     real(STLTSA_OPT_CUT_RANGE, STLTSA_CALL_SYNTHESIZE, "cut_range",
-         "Seconds by which a cut may move to find a common posture; auto: a tenth of the repeated "
-         "cycle; between clips half a cycle, at least 0.5.",
+         "Seconds by which a cut may move; auto: a tenth of the repeated cycle; between clips half "
+         "a cycle, at least 0.5.",
          0, 3600, automatic),
     real(STLTSA_OPT_POSTURE_LIMIT, STLTSA_CALL_SYNTHESIZE, "posture_limit",
-         "Largest allowed distance between the postures at a seam, relative to the typical "
-         "distance between repetitions of one motion; 0: no limit.",
-         0, 1e6, 3),
+         "Max distance of the postures at a seam, relative to that of repetitions; 0: no limit.", 0,
+         1e6, 3),
     whole(STLTSA_OPT_SEGMENTS, STLTSA_CALL_DECOMPOSE, "segments",
-          "Number of segments in motion, without rests; auto: as many as the behavior changes.", 1,
-          10000, automatic),
+          "Segments in motion; auto: as often as behavior changes.", 1, 10000, automatic),
     whole(STLTSA_OPT_GAPS, analyzes | STLTSA_CALL_FEATURES, "gaps",
           "Missing points or values: fill, up to 0.25 s over time, longer ones from the others in "
           "the same frame; skip, all from the others, so that they add nothing to distances; "
           "refuse, an error.",
           1, 3, STLTSA_GAPS_FILL, "fill=1 refuse=2 skip=3"),
-    real(STLTSA_OPT_LEAST_CONFIDENCE, STLTSA_CALL_OPEN, "least_confidence",
+    real(STLTSA_OPT_MIN_CONFIDENCE, STLTSA_CALL_OPEN, "min_confidence",
          "Points that were seen with less confidence are missing.", 0, 1, 0.6),
     whole(STLTSA_OPT_LOOP, STLTSA_CALL_SYNTHESIZE, "loop",
-          "Make a loop: the last frame meets the first, across a seam like any other.", 0, 1, 0),
+          "Make a loop: the last frame meets the first.", 0, 1, 0),
     whole(STLTSA_OPT_IN_PLACE, STLTSA_CALL_SYNTHESIZE, "in_place",
-          "Remove what a loop travels and turns, so that it ends where it starts.", 0, 1, 0),
+          "Remove the travel and the turn of a loop.", 0, 1, 0),
     text(STLTSA_OPT_SUBJECT, STLTSA_CALL_OPEN, "subject",
-         "Which of several people or animals in a file: the prefix of its points (Viktor of "
-         "Viktor:LHEE), or its name as an individual or a track; auto: the only one."),
+         "Person or animal in a file: the prefix of its points (Viktor of Viktor:LHEE) or its "
+         "name; auto: the only one."),
 };
 
 } // namespace

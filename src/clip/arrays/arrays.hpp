@@ -40,7 +40,7 @@ struct PointArrays {
     int space = 3;             ///< coordinates of a point, 2 or 3
     std::vector<std::string> names;
     ConstMatrixView confidence;  ///< frames x points; no rows: all points are seen
-    double least_confidence = 0; ///< a point with less, or with 0, is missing
+    double min_confidence = 0; ///< a point with less, or with 0, is missing
     ConstMatrixView times;       ///< frames x 1, seconds; no rows: frames are 1 / fps apart
     double fps = 0;              ///< 0: given by the times, which it must agree with
 };
@@ -51,7 +51,7 @@ Clip clip_from_points(const PointArrays& arrays);
 /// Sets the points that are seen with less confidence than this, or with none, to NaN, and returns
 /// their number. `confidence`: frames x points.
 std::int64_t drop_unsure(Matrix& positions, int space, ConstMatrixView confidence,
-                         double least_confidence);
+                         double min_confidence);
 
 /// "heel_x", "heel_y", ... for each name.
 std::vector<std::string> coordinate_names(const std::vector<std::string>& points, int space);

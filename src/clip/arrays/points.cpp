@@ -81,13 +81,13 @@ void set_rate(const PointArrays& arrays, Clip& clip) {
 } // namespace
 
 std::int64_t drop_unsure(Matrix& positions, int space, ConstMatrixView confidence,
-                         double least_confidence) {
+                         double min_confidence) {
     std::int64_t dropped = 0;
     for (std::int64_t i = 0; i < confidence.rows; ++i)
         for (std::int64_t p = 0; p < confidence.cols; ++p) {
             double* point = positions.row(i) + space * p;
             const double sure = confidence(i, p);
-            if (std::isnan(point[0]) || (sure > 0 && sure >= least_confidence))
+            if (std::isnan(point[0]) || (sure > 0 && sure >= min_confidence))
                 continue;
             std::fill_n(point, space, std::numeric_limits<double>::quiet_NaN());
             ++dropped;
@@ -116,11 +116,11 @@ Clip clip_from_points(const PointArrays& arrays) {
     drop_missing_codes(clip.values, clip.channel_names, clip.notes);
     complete_gaps(clip.values, arrays.space);
     const std::int64_t dropped =
-        drop_unsure(clip.values, arrays.space, arrays.confidence, arrays.least_confidence);
+        drop_unsure(clip.values, arrays.space, arrays.confidence, arrays.min_confidence);
     if (dropped > 0)
         clip.notes.push_back(format_text(
             "{} of {} positions have a confidence of 0 or below {:g}: taken as missing", dropped,
-            arrays.confidence.rows * arrays.confidence.cols, arrays.least_confidence));
+            arrays.confidence.rows * arrays.confidence.cols, arrays.min_confidence));
     set_rate(arrays, clip);
     return clip;
 }

@@ -286,10 +286,10 @@ void keep_points(const Columns& found, Clip& clip, const ReadOptions& options) {
     if (confidence.empty())
         return;
     const std::int64_t dropped =
-        drop_unsure(clip.values, clip.space, sure.view(), options.least_confidence);
+        drop_unsure(clip.values, clip.space, sure.view(), options.min_confidence);
     clip.notes.push_back(format_text("columns of confidence: {} of {} positions are below {:g} and "
                                      "taken as missing",
-                                     dropped, sure.rows() * sure.cols(), options.least_confidence));
+                                     dropped, sure.rows() * sure.cols(), options.min_confidence));
 }
 
 /// Says that columns are taken as they are that may be coordinates, and how to name these.

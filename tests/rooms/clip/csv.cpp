@@ -18,7 +18,7 @@ using stltsa::clip::ReadOptions;
 Clip csv(std::string_view text, std::optional<double> fps = {}) {
     ReadOptions options;
     options.fps = fps;
-    options.least_confidence = 0.6;
+    options.min_confidence = 0.6;
     return parse(text, Format::csv, options);
 }
 

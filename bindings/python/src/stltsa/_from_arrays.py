@@ -38,7 +38,7 @@ def points_handle(
     names: Sequence[str] | None,
     confidence: Any,
     times: Any,
-    least_confidence: float | None,
+    min_confidence: float | None,
 ) -> Any:
     """Return a handle of a clip of points; arguments as of ``Clip.from_points``."""
     array = np.asarray(unmasked(positions))
@@ -60,7 +60,7 @@ def points_handle(
         if values is not None:
             setattr(raw, name, read_from(values)[0])
     raw.fps = 0.0 if fps is None else float(fps)
-    options = {"least_confidence": least_confidence}
+    options = {"min_confidence": min_confidence}
     return made("clip", lib.stltsa_clip_from_points, raw, options=options)
 
 

@@ -51,7 +51,7 @@ class Keywords(TypedDict, total=False):
     posture_limit: float
     segments: int | Auto | None
     gaps: Gaps
-    least_confidence: float
+    min_confidence: float
     loop: bool
     in_place: bool
     individual: str | Auto | None

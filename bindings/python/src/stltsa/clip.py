@@ -60,7 +60,7 @@ class Clip(Described):
         names: Sequence[str] | None = None,
         confidence: npt.ArrayLike | None = None,
         times: npt.ArrayLike | None = None,
-        least_confidence: float | None = None,
+        min_confidence: float | None = None,
     ) -> Clip:
         """Return a clip of points in space or in a plane, such as markers; they are copied.
 
@@ -73,11 +73,11 @@ class Clip(Described):
         names : sequence of str, optional
             One for each point.
         confidence : array-like of shape (frames, points), optional
-            0: missing, and so are points below `least_confidence`.
+            0: missing, and so are points below `min_confidence`.
         times : array-like of shape (frames,), optional
             Seconds, increasing. If they are uneven, the clip is resampled to the rate of the usual
             step, and a note says so. If `fps` is given too, both must agree within 1 %.
-        least_confidence : float, optional
+        min_confidence : float, optional
             As the option of that name: by default 0.6.
 
         Examples
@@ -94,7 +94,7 @@ class Clip(Described):
                 names=names,
                 confidence=confidence,
                 times=times,
-                least_confidence=least_confidence,
+                min_confidence=min_confidence,
             )
         )
 
@@ -393,7 +393,7 @@ def read_clip(path: str | os.PathLike[str], **options: Unpack[Options]) -> Clip:
         clip may follow, as in ``"walk.bvh:2.5s-9s"``: see :meth:`Clip.stretch`.
     **options
         Used: `fps` (replaces the rate of the file, with a note), `skeleton`, `individual` (one of
-        several people or animals in the file), `least_confidence`, `progress`.
+        several people or animals in the file), `min_confidence`, `progress`.
 
     Returns
     -------
@@ -442,7 +442,7 @@ def opened(motion: Any, options: Options) -> Any:
     if is_dataset(motion):
         from .readers.movement import from_dataset  # it needs this module
 
-        used = _some(options, "fps", "least_confidence", "individual")
+        used = _some(options, "fps", "min_confidence", "individual")
         return from_dataset(motion, **used)
     is_path = isinstance(motion, str | os.PathLike)
     chosen = options.get("individual", "auto") not in (None, "auto")
@@ -450,10 +450,10 @@ def opened(motion: Any, options: Options) -> Any:
         raise wrong("X", motion, "a path or a dataset if individual= is given")
     rate = rate_given(options)
     if rate and is_points(motion):
-        return Clip.from_points(motion, rate, **_some(options, "least_confidence"))
+        return Clip.from_points(motion, rate, **_some(options, "min_confidence"))
     if not is_path:
         return motion
-    return read_clip(motion, **_some(options, "fps", "skeleton", "individual", "least_confidence"))
+    return read_clip(motion, **_some(options, "fps", "skeleton", "individual", "min_confidence"))
 
 
 def _check_rate(clip: Clip, fps: Any) -> None:

@@ -85,7 +85,7 @@ def decompose(motion: Motion, **options: Unpack[Options]) -> Decomposition:
         `smoothing` are in frames then. A path needs `fps` if the file has no rate; a Clip has its
         own. A dataset is one of `movement`; `individual` names one of several in it or in a file.
     **options
-        Used: `features`, `up_axis`, `gaps`, `least_confidence`, `keep_start`, `sample_rate`,
+        Used: `features`, `up_axis`, `gaps`, `min_confidence`, `keep_start`, `sample_rate`,
         `smoothing`, `period_min`, `period_max`, `segments`, `threads`, `fps`, `individual`,
         `progress`. See :func:`stltsa.options`.
 

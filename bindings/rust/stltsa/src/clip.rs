@@ -131,7 +131,7 @@ impl Clip {
     }
 
     /// A clip of points, which are copied. Frames at uneven times are resampled to the rate of the
-    /// median step, which a note says. Option used: least_confidence.
+    /// median step, which a note says. Option used: min_confidence.
     ///
     /// # Errors
     /// [`Shape`](crate::ErrorKind::Shape), [`Argument`](crate::ErrorKind::Argument) (times that do

@@ -51,7 +51,7 @@ def _numbers(dataset: Any, name: str, dimensions: tuple[str, ...]) -> FloatArray
 
 
 def from_dataset(dataset: Any, individual: str | None = None, **options: Any) -> Clip:
-    """Return the points of one individual as a clip; `options`: fps, least_confidence."""
+    """Return the points of one individual as a clip; `options`: fps, min_confidence."""
     one = _one(dataset, individual)
     points = _dimension(one, "keypoint") or "keypoint"
     positions = _numbers(one, "position", ("time", points, "space"))

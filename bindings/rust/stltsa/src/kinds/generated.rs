@@ -92,7 +92,7 @@ kinds! {
         /// `int`: STLTSA_GAPS_*.
         Gaps = STLTSA_OPT_GAPS,
         /// `real`: points seen with less are missing.
-        LeastConfidence = STLTSA_OPT_LEAST_CONFIDENCE,
+        MinConfidence = STLTSA_OPT_MIN_CONFIDENCE,
         /// `int`: synthesize: 1: the last frame meets the first across a seam, the last of the
         /// synthesis.
         Loop = STLTSA_OPT_LOOP,

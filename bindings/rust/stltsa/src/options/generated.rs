@@ -222,8 +222,8 @@ impl Options {
 
     /// Points that were seen with less confidence are missing.
     #[must_use]
-    pub fn least_confidence(self, value: f64) -> Self {
-        self.with(sys::STLTSA_OPT_LEAST_CONFIDENCE, Value::Real(value))
+    pub fn min_confidence(self, value: f64) -> Self {
+        self.with(sys::STLTSA_OPT_MIN_CONFIDENCE, Value::Real(value))
     }
 
     /// Make a loop: the last frame meets the first, across a seam like any other.
