@@ -204,8 +204,7 @@ template <class Row, class Describe>
 std::vector<Row> table(Describe describe) {
     std::vector<Row> rows;
     Row row{};
-    for (row.size = sizeof row;
-         describe(static_cast<std::int64_t>(rows.size()), &row) == STLTSA_OK;)
+    for (row.size = sizeof row; describe(std::ssize(rows), &row) == STLTSA_OK;)
         rows.push_back(row);
     return rows;
 }
@@ -409,7 +408,7 @@ class Clip {
     static Clip parse(std::span<const std::byte> bytes, std::int32_t format = 0,
                       const Options& options = {}, const std::string& name = {}) {
         return detail::made<Clip>(stltsa_clip_parse, bytes.data(), bytes.size(), format,
-                                  name.empty() ? nullptr : name.c_str(), options.get());
+                                  detail::text_or_null(name), options.get());
     }
     static Clip from_matrix(const MatrixView& frames, double fps) {
         return detail::made<Clip>(stltsa_clip_from_matrix, frames.get(), fps);
@@ -420,9 +419,7 @@ class Clip {
         given.size = sizeof given;
         given.space = points.space;
         given.positions = *points.positions.get();
-        std::vector<const char*> names;
-        for (const std::string& name : points.names)
-            names.push_back(name.c_str());
+        const std::vector<const char*> names = detail::pointers(points.names);
         given.names = names.empty() ? nullptr : names.data();
         if (points.confidence)
             given.confidence = *points.confidence->get();
@@ -436,7 +433,7 @@ class Clip {
                               const MatrixView& rotations,
                               const std::optional<MatrixView>& root_positions, double fps) {
         return detail::made<Clip>(stltsa_clip_from_skeleton, joints.data(), sizeof(Joint),
-                                  static_cast<std::int64_t>(joints.size()), form, rotations.get(),
+                                  std::ssize(joints), form, rotations.get(),
                                   root_positions ? root_positions->get() : nullptr, fps);
     }
 
@@ -549,27 +546,20 @@ class Model : public Result<stltsa_model, stltsa_model_free, stltsa_model_info> 
     }
     /// The component of each row.
     std::vector<std::int64_t> component_of() const {
-        std::vector<std::int64_t> rows(static_cast<std::size_t>(info().integer(STLTSA_INFO_ROWS)));
-        const stltsa_out out = detail::out(rows);
-        detail::check(
-            stltsa_info_array(stltsa_model_info(get()), STLTSA_INFO_COMPONENT_OF, 0, &out));
-        return rows;
+        const Matrix found = info().array(STLTSA_INFO_COMPONENT_OF);
+        return {found.values.begin(), found.values.end()};
     }
     Mapped map(const MatrixView& frames, const Options& options = {}, Hints hints = {}) const {
-        return mapped(stltsa_map, info().integer(STLTSA_INFO_DIMENSION), frames, options, hints);
+        return mapped(stltsa_map, frames.rows(), info().integer(STLTSA_INFO_DIMENSION),
+                      frames.get(), detail::List(hints).get(), options.get());
     }
     Mapped map(const Clip& clip, const Options& options = {}) const {
-        Mapped result = room(clip.frames(), info().integer(STLTSA_INFO_DIMENSION));
-        const stltsa_out values = detail::out(result.values);
-        const stltsa_out distance = detail::out(result.distance);
-        const stltsa_out nearest = detail::out(result.nearest);
-        detail::check(
-            stltsa_map_clip(get(), clip.get(), options.get(), &values, &distance, &nearest));
-        return result;
+        return mapped(stltsa_map_clip, clip.frames(), info().integer(STLTSA_INFO_DIMENSION),
+                      clip.get(), options.get());
     }
     Mapped unmap(const MatrixView& coords, const Options& options = {}, Hints hints = {}) const {
-        return mapped(stltsa_unmap, info().integer(STLTSA_INFO_FEATURE_COUNT), coords, options,
-                      hints);
+        return mapped(stltsa_unmap, coords.rows(), info().integer(STLTSA_INFO_FEATURE_COUNT),
+                      coords.get(), detail::List(hints).get(), options.get());
     }
     Poses unmap_clip(const MatrixView& coords, const Options& options = {},
                      Hints hints = {}) const {
@@ -589,15 +579,13 @@ class Model : public Result<stltsa_model, stltsa_model_free, stltsa_model_info> 
         const auto count = static_cast<std::size_t>(rows);
         return {Matrix(rows, cols), std::vector<double>(count), std::vector<std::int64_t>(count)};
     }
-    template <class Map>
-    Mapped mapped(Map call, std::int64_t cols, const MatrixView& rows, const Options& options,
-                  Hints hints) const {
-        Mapped result = room(rows.rows(), cols);
+    template <class Map, class... In>
+    Mapped mapped(Map call, std::int64_t rows, std::int64_t cols, In... in) const {
+        Mapped result = room(rows, cols);
         const stltsa_out values = detail::out(result.values);
         const stltsa_out distance = detail::out(result.distance);
         const stltsa_out nearest = detail::out(result.nearest);
-        detail::check(call(get(), rows.get(), detail::List(hints).get(), options.get(), &values,
-                           &distance, &nearest));
+        detail::check(call(get(), in..., &values, &distance, &nearest));
         return result;
     }
 };
@@ -605,26 +593,9 @@ class Model : public Result<stltsa_model, stltsa_model_free, stltsa_model_info> 
 /// Frames of each clip, if several follow each other in a matrix; empty: one clip.
 using Lengths = std::span<const std::int64_t>;
 
-namespace detail {
-
-/// Calls make(in, lengths, options, ...), a C function that takes several clips.
-template <class T, class Make>
-T made_of_rows(Make make, const MatrixView& rows, const Options& options, Lengths lengths) {
-    return made<T>(make, rows.get(), List(lengths).get(), options.get());
-}
-
-template <class T, class Make>
-T made_of_clips(Make make, std::span<const Clip> clips, const Options& options) {
-    std::vector<const stltsa_clip*> handles;
-    for (const Clip& clip : clips)
-        handles.push_back(clip.get());
-    return made<T>(make, handles.data(), static_cast<std::int64_t>(handles.size()), options.get());
-}
-
-} // namespace detail
-
 inline Model fit(const MatrixView& frames, const Options& options = {}, Lengths lengths = {}) {
-    return detail::made_of_rows<Model>(stltsa_fit, frames, options, lengths);
+    return detail::made<Model>(stltsa_fit, frames.get(), detail::List(lengths).get(),
+                               options.get());
 }
 inline Model fit(const Clip& clip, const Options& options = {}) {
     const stltsa_clip* const one = clip.get();
@@ -632,7 +603,11 @@ inline Model fit(const Clip& clip, const Options& options = {}) {
 }
 /// Several clips, each prepared separately.
 inline Model fit(std::span<const Clip> clips, const Options& options = {}) {
-    return detail::made_of_clips<Model>(stltsa_fit_clips, clips, options);
+    std::vector<const stltsa_clip*> handles;
+    for (const Clip& clip : clips)
+        handles.push_back(clip.get());
+    return detail::made<Model>(stltsa_fit_clips, handles.data(), std::ssize(handles),
+                               options.get());
 }
 
 class Decomposition
@@ -659,8 +634,7 @@ class Decomposition
     Matrix coords() const { return info().array(STLTSA_INFO_COORDS); }
     std::string reason() const { return info().text(STLTSA_INFO_REASON); }
     /// Writes a report of the clip that was decomposed or, if the path ends in .svg, a figure.
-    /// `options`: those of stltsa::decompose(). `command`: the command or call that makes the
-    /// report again; empty: unknown.
+    /// `options`: those of stltsa::decompose(). `command`: what makes it again; empty: unknown.
     void save_report(const Clip& clip, const std::string& path, const std::string& command = {},
                      const Options& options = {}) const {
         detail::check(stltsa_report_save(clip.get(), get(), options.get(),
@@ -697,7 +671,7 @@ class Comparison
     Matrix difference() const { return info().array(STLTSA_INFO_DIFFERENCE); }
     Matrix standard_error() const { return info().array(STLTSA_INFO_STANDARD_ERROR); }
     Matrix margin() const { return info().array(STLTSA_INFO_MARGIN); }
-    /// Writes a report: one HTML page. `command`: which repeats it; empty: unknown.
+    /// Writes a report: one HTML page. `command`: what makes it again; empty: unknown.
     void save_report(const std::string& path, const std::string& command = {},
                      const Options& options = {}) const {
         detail::check(stltsa_comparison_report_save(get(), options.get(),
@@ -743,11 +717,8 @@ class Cycles : public Result<stltsa_cycles, stltsa_cycles_free, stltsa_cycles_in
             throw Error(STLTSA_E_SHAPE, "names has " + std::to_string(names.size()) +
                                             " entries; there are " + std::to_string(columns) +
                                             " columns");
-        std::vector<const char*> texts;
-        for (const std::string& name : names)
-            texts.push_back(name.c_str());
-        return detail::made<Comparison>(stltsa_cycles_compare_left_right, get(), texts.data(), fps,
-                                        options.get());
+        return detail::made<Comparison>(stltsa_cycles_compare_left_right, get(),
+                                        detail::pointers(names).data(), fps, options.get());
     }
 };
 
@@ -884,7 +855,8 @@ class Denoising : public Result<stltsa_denoising, stltsa_denoising_free, stltsa_
 
 inline Denoising denoise(const MatrixView& coords, const Options& options = {},
                          Lengths lengths = {}) {
-    return detail::made_of_rows<Denoising>(stltsa_denoise, coords, options, lengths);
+    return detail::made<Denoising>(stltsa_denoise, coords.get(), detail::List(lengths).get(),
+                                   options.get());
 }
 inline Denoising denoise(const Model& model, const Options& options = {}) {
     return detail::made<Denoising>(stltsa_denoise_model, model.get(), options.get());
@@ -904,8 +876,8 @@ class Synthesis : public Result<stltsa_synthesis, stltsa_synthesis_free, stltsa_
 };
 
 inline Synthesis synthesize(std::span<const Piece> pieces, const Options& options = {}) {
-    return detail::made<Synthesis>(stltsa_synthesize, pieces.data(),
-                                   static_cast<std::int64_t>(pieces.size()), options.get());
+    return detail::made<Synthesis>(stltsa_synthesize, pieces.data(), std::ssize(pieces),
+                                   options.get());
 }
 /// The loop of the most cycles of a clip whose ends meet.
 inline Synthesis synthesize_loop(const Clip& clip, const Decomposition& decomposition,
@@ -932,8 +904,8 @@ class Batch {
     Batch(const std::vector<std::string>& paths, const std::string& folder,
           const std::string& shard = "", const Options& options = {})
         : Batch(detail::made<Batch>(stltsa_batch_new, detail::pointers(paths).data(),
-                                    static_cast<std::int64_t>(paths.size()), folder.c_str(),
-                                    shard.empty() ? nullptr : shard.c_str(), options.get())) {}
+                                    std::ssize(paths), folder.c_str(), detail::text_or_null(shard),
+                                    options.get())) {}
 
     std::vector<std::string> paths() const {
         std::vector<std::string> paths;
@@ -959,7 +931,7 @@ class Batch {
     /// Writes the table of the rows; returns its path.
     std::string finish(const std::vector<std::string>& rows) const {
         return detail::got<const char*>(stltsa_batch_finish, get(), detail::pointers(rows).data(),
-                                        static_cast<std::int64_t>(rows.size()));
+                                        std::ssize(rows));
     }
 
     const stltsa_batch* get() const noexcept { return handle_.get(); }
