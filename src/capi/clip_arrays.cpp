@@ -161,8 +161,7 @@ stltsa_status stltsa_clip_from_points(const stltsa_points* points, const stltsa_
             names.push_back(checked_name(given.names[p], "point", p));
         auto made = std::make_unique<stltsa_clip>(clip::clip_from_points(
             {positions.view(), given.space, std::move(names), confidence.view(),
-             capi::OptionsReader(options).read_options().min_confidence, times.view(),
-             given.fps}));
+             capi::OptionsReader(options).read_options().min_confidence, times.view(), given.fps}));
         *clip = made.release();
     });
 }

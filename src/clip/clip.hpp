@@ -93,12 +93,12 @@ struct Clip {
 };
 
 struct ReadOptions {
-    std::optional<double> fps;   ///< overrides the file's rate
+    std::optional<double> fps; ///< overrides the file's rate
     double min_confidence = 0; ///< points that are seen with less are missing
-    std::string skeleton;        ///< ASF path for AMC; empty: searched for in the file's folder
-    std::string subject;         ///< whose points to take; empty: the only one's
-    std::string channels;        ///< BIDS: path of the table of the columns; set by read()
-    std::string sidecar;         ///< BIDS: path of the JSON file with the rate; set by read()
+    std::string skeleton;      ///< ASF path for AMC; empty: searched for in the file's folder
+    std::string subject;       ///< whose points to take; empty: the only one's
+    std::string channels;      ///< BIDS: path of the table of the columns; set by read()
+    std::string sidecar;       ///< BIDS: path of the JSON file with the rate; set by read()
 };
 
 /// Reads a file; its suffix determines the format, or its content if the suffix is unknown. Throws

@@ -59,18 +59,18 @@ constexpr stltsa_info_key all_keys[] = {
     real(STLTSA_INFO_PERIOD_ROWS, "period_rows", "Period in rows; 0: none."),
     whole(STLTSA_INFO_REPEATED, "repeated", "Rows collapsed because they repeat the one before."),
     real(STLTSA_INFO_TIME_CORRELATION, "time_correlation",
-         "Absolute rank correlation of coordinate 1 with time; 1: it only follows time."),
+         "|rank correlation| of coordinate 1 and time."),
     real(STLTSA_INFO_REACH, "reach",
          "Distance from the fitted frames up to which a frame is like them; 0: the model cannot "
          "map."),
     whole(STLTSA_INFO_COORDINATE, "coordinate", "Coordinate whose margins count, from 1; 0: none."),
     real(STLTSA_INFO_CYCLICITY, "cyclicity", "How well that coordinate repeats; 1: perfect."),
     whole(STLTSA_INFO_REPRESENTATIVE, "representative",
-          "First cycle of the longest cyclic segment; -1: none."),
+          "First cycle of the longest cyclic segment, or -1."),
     whole(STLTSA_INFO_BEST, "best", "Cycle there that is most like the mean; -1: none."),
     text(STLTSA_INFO_REASON, "reason", "Why nothing repeats; empty if anything does."),
     real(STLTSA_INFO_EIGENVALUE, "eigenvalue",
-         "Eigenvalues of B, ascending from the zero one; of a model, of B / k, for the dimension."),
+         "Eigenvalues of B, ascending; of a model, of B / k."),
     whole(STLTSA_INFO_LOCAL_PCA, "local_pca", "Intrinsic dimension by local PCA; 0: cannot tell."),
     whole(STLTSA_INFO_EIGENGAP, "eigengap", "Intrinsic dimension by the eigengap; 0: cannot tell."),
     whole(STLTSA_INFO_POSTURES, "postures", "Up to 24 distinct frames for pictures, best first."),
@@ -87,7 +87,7 @@ constexpr stltsa_info_key all_keys[] = {
     real(STLTSA_INFO_KNOT_ROWS, "knot_rows", "Rows between the knots of the curve."),
     whole(STLTSA_INFO_ROBUST, "robust", "1: the influence of spikes is reduced."),
     real(STLTSA_INFO_FIT_PERIOD_MIN, "fit_period_min",
-         "period_min of the model of the coordinates; 0: none."),
+         "period_min of the coordinates' model; 0: none."),
     real(STLTSA_INFO_FIT_PERIOD_MAX, "fit_period_max", "period_max of that model; 0: none."),
     whole(STLTSA_INFO_NOTHING_TO_CLEAN, "nothing_to_clean",
           "1: noise is below 0.5 % of each column's range."),
@@ -95,11 +95,9 @@ constexpr stltsa_info_key all_keys[] = {
     real(STLTSA_INFO_CUT_RANGE, "cut_range", "Option cut_range; none: chosen for each seam."),
     real(STLTSA_INFO_POSTURE_LIMIT, "posture_limit", "Option posture_limit; 0: none."),
     whole(STLTSA_INFO_LOOP, "loop", "1: a loop; only loops have the next six facts."),
-    whole(STLTSA_INFO_IN_PLACE, "in_place", "Option in_place."),
-    real(STLTSA_INFO_TRAVEL, "travel",
-         "x, y, z of the travel per loop along the ground; in place: what was removed."),
-    real(STLTSA_INFO_TURN, "turn",
-         "Degrees of turn per loop, positive to the left; in place: what was removed."),
+    whole(STLTSA_INFO_IN_PLACE, "in_place", "Option in_place; 1: travel and turn are removed."),
+    real(STLTSA_INFO_TRAVEL, "travel", "x, y, z of a loop's travel along the ground."),
+    real(STLTSA_INFO_TURN, "turn", "Degrees that a loop turns, positive to the left."),
     real(STLTSA_INFO_COVERAGE, "coverage", "Share of cycles, or pieces' frames, in the loop."),
     whole(STLTSA_INFO_LOOP_CYCLES, "loop_cycles",
           "Cycles in the loop, if chosen among the clip's."),
@@ -110,10 +108,10 @@ constexpr stltsa_info_key all_keys[] = {
     list(STLTSA_INFO_COMPONENT, "component", "stltsa_component: those of the neighborhood graph."),
     whole(STLTSA_INFO_HAS_CYCLE, "has_cycle", "1: keeps a mean cycle (stltsa_model_keep_cycle)."),
     array(STLTSA_INFO_COORDS, "coords",
-          "Rows x d: coordinates; of a decomposition, rows x 2: the curve, and itself a quarter of "
-          "a cycle behind."),
+          "Rows x d: coordinates; of a decomposition, rows x 2: the curve, and itself a quarter "
+          "cycle behind."),
     array(STLTSA_INFO_EIGENVALUES, "eigenvalues",
-          "Components x (d + 2), ascending, lambda_1 = 0; NaN: the component is too small."),
+          "Components x (d + 2), ascending from lambda_1 = 0; NaN: the component is too small."),
     array(STLTSA_INFO_COMPONENT_OF, "component_of",
           "Rows x 1: component of each row, in order, from 0."),
     list(STLTSA_INFO_SEGMENT, "segment", "stltsa_segment, in order; they cover the clip."),
@@ -128,8 +126,8 @@ constexpr stltsa_info_key all_keys[] = {
           "Rows x 1: smoothed coordinate of each cyclic segment, else 0; of a denoising, rows x "
           "columns: the curve f_c."),
     array(STLTSA_INFO_LABEL_LIKENESS, "label_likeness",
-          "Labels x labels: mean likeness of their segments, 0 to 1; from about 0.65 on, segments "
-          "share a label, except repetitions. NaN: one segment with itself."),
+          "Labels x labels: mean likeness of segments, 0 to 1; from about 0.65 on they share a "
+          "label; NaN: a single segment."),
     list(STLTSA_INFO_COLUMN, "column", "stltsa_denoised_column: one for each column."),
     array(STLTSA_INFO_CLEANED, "cleaned", "Rows x columns: the points after equation (1)."),
     array(STLTSA_INFO_MOVES, "moves", "Rows x columns: how far each point was moved."),
@@ -147,11 +145,9 @@ constexpr stltsa_info_key all_keys[] = {
           "NaN: no cycle."),
     array(STLTSA_INFO_PHASE_CYCLE, "phase_cycle", "Frames x 1: index of the cycle; -1: no cycle."),
     real(STLTSA_INFO_PHASE_ZERO, "phase_zero",
-         "Phase of one place in the motion of each label, the same in every clip and person with "
-         "these features: where the legs pass each other, if that is known; 0: only repetitions; "
-         "NaN: neither."),
-    text(STLTSA_INFO_OWNER, "owner",
-         "Joint, point or column that each feature belongs to, for stltsa_cycles_group_distance."),
+         "Of each label, phase of a place that all clips with these features share; 0: only "
+         "repetitions; NaN: neither."),
+    text(STLTSA_INFO_OWNER, "owner", "Joint, point or column of each feature."),
     array(STLTSA_INFO_VALUES, "values", "Samples x columns: each cycle."),
     array(STLTSA_INFO_MEAN, "mean",
           "Samples x columns: mean of the cycles; of a comparison, of both motions, at phases of "
@@ -159,12 +155,11 @@ constexpr stltsa_info_key all_keys[] = {
     array(STLTSA_INFO_DEVIATION, "deviation", "The same: standard deviation; of one cycle, NaN."),
     array(STLTSA_INFO_SAMPLE_FRAMES, "sample_frames",
           "Cycles x samples: frame of each, not rounded."),
-    array(STLTSA_INFO_WARP, "warp",
-          "Cycles x samples: delay against linear time, as a share of the cycle."),
+    array(STLTSA_INFO_WARP, "warp", "Cycles x samples: delay, as a share of the cycle."),
     array(STLTSA_INFO_DISTANCE, "distance",
           "Cycles x 1: rms distance from the mean cycle, as a share of the deviation along it."),
     array(STLTSA_INFO_COLUMN_DISTANCE, "column_distance",
-          "Cycles x columns: rms distance, unit of the signal."),
+          "Cycles x columns: the same, in the signal's unit."),
     list(STLTSA_INFO_EVENT, "event", "stltsa_event, in order of time."),
     real(STLTSA_INFO_LIKENESS, "likeness",
          "Correlation of both mean cycles, 1 within a clip; below 0.95 events are less sure, below "
@@ -176,9 +171,7 @@ constexpr stltsa_info_key all_keys[] = {
          "stltsa_compared_part: coordinates, part by part."),
     array(STLTSA_INFO_DIFFERENCE, "difference", "Samples x channels: second minus first."),
     array(STLTSA_INFO_STANDARD_ERROR, "standard_error", "Samples x channels: its standard error."),
-    array(STLTSA_INFO_MARGIN, "margin",
-          "Samples x channels: half of its 95 % interval at one sample, so 5 in 100 exclude 0 by "
-          "chance."),
+    array(STLTSA_INFO_MARGIN, "margin", "Samples x channels: half a pointwise 95 % interval."),
     text(STLTSA_INFO_MARK, "mark", "Marks of the model, in the order they were kept."),
 };
 

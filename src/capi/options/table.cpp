@@ -74,8 +74,8 @@ constexpr stltsa_option_info all_options[] = {
     whole(STLTSA_OPT_KEEP_START, analyzes, "keep_start",
           "Keep a T-pose at the start instead of dropping it.", 0, 1, 0),
     real(STLTSA_OPT_FPS, embeds | STLTSA_CALL_OPEN | STLTSA_CALL_UNMAP | STLTSA_CALL_DENOISE, "fps",
-         "Frames per second, for files without a rate; in others it replaces rate and times, with "
-         "a note (not in batch); unmap: points per second; auto: the file's rate, or the model's.",
+         "Frames per second, for files without a rate, or instead of theirs (not in batch); of "
+         "unmapped points; auto: the file's, or the model's.",
          min_rate, 1e6, automatic),
     real(STLTSA_OPT_SAMPLE_RATE, analyzes, "sample_rate",
          "Decimate clips to about this frame rate; 0: keep all.", 0, 1e6, 30),
@@ -108,8 +108,8 @@ constexpr stltsa_option_info all_options[] = {
     whole(STLTSA_OPT_COMPONENT, STLTSA_CALL_UNMAP, "component",
           "Component of the coordinates, from 0; auto: the only one.", 0, max_frames, automatic),
     real(STLTSA_OPT_GAMMA, STLTSA_CALL_DENOISE, "gamma",
-         "Distance from the curve beyond which a point is noisy; auto: a robust standard deviation "
-         "of the residuals.",
+         "Distance from the curve beyond which a point is noisy; auto: one robust deviation of the "
+         "residuals.",
          0, 1e15, automatic),
     real(STLTSA_OPT_KNOT_SPACING, STLTSA_CALL_DENOISE, "knot_spacing",
          "Seconds between knots, or rows if the rate is unknown; auto: a tenth of the period, "
@@ -129,14 +129,14 @@ constexpr stltsa_option_info all_options[] = {
          "Max distance of the postures at a seam, relative to that of repetitions; 0: no limit.", 0,
          1e6, 3),
     whole(STLTSA_OPT_SEGMENTS, STLTSA_CALL_DECOMPOSE, "segments",
-          "Segments in motion; auto: as often as behavior changes.", 1, 10000, automatic),
+          "Number of segments in motion; auto: as behavior changes.", 1, 10000, automatic),
     whole(STLTSA_OPT_GAPS, analyzes | STLTSA_CALL_FEATURES, "gaps",
           "Missing points or values: fill, up to 0.25 s over time, longer ones from the others in "
           "the same frame; skip, all from the others, so that they add nothing to distances; "
           "refuse, an error.",
           1, 3, STLTSA_GAPS_FILL, "fill=1 refuse=2 skip=3"),
     real(STLTSA_OPT_MIN_CONFIDENCE, STLTSA_CALL_OPEN, "min_confidence",
-         "Points that were seen with less confidence are missing.", 0, 1, 0.6),
+         "Points seen with less confidence are missing.", 0, 1, 0.6),
     whole(STLTSA_OPT_LOOP, STLTSA_CALL_SYNTHESIZE, "loop",
           "Make a loop: the last frame meets the first.", 0, 1, 0),
     whole(STLTSA_OPT_IN_PLACE, STLTSA_CALL_SYNTHESIZE, "in_place",

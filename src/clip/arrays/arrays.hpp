@@ -39,10 +39,10 @@ struct PointArrays {
     ConstMatrixView positions; ///< frames x (space * points); NaN: missing
     int space = 3;             ///< coordinates of a point, 2 or 3
     std::vector<std::string> names;
-    ConstMatrixView confidence;  ///< frames x points; no rows: all points are seen
-    double min_confidence = 0; ///< a point with less, or with 0, is missing
-    ConstMatrixView times;       ///< frames x 1, seconds; no rows: frames are 1 / fps apart
-    double fps = 0;              ///< 0: given by the times, which it must agree with
+    ConstMatrixView confidence; ///< frames x points; no rows: all points are seen
+    double min_confidence = 0;  ///< a point with less, or with 0, is missing
+    ConstMatrixView times;      ///< frames x 1, seconds; no rows: frames are 1 / fps apart
+    double fps = 0;             ///< 0: given by the times, which it must agree with
 };
 
 /// Throws Status::shape, argument, not_finite.

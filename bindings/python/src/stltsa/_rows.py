@@ -49,7 +49,7 @@ class WarningFact(NamedTuple):
     begin_s : float
         Seconds in the clip at which it applies; NaN: it has no time.
     end_s : float
-        End of that time; the begin for a moment; NaN: it has no time.
+        The end, or the begin of a moment; NaN: it has no time.
     """
 
     code: WarningKind
@@ -64,17 +64,16 @@ class Joint(NamedTuple):
     Attributes
     ----------
     name : str
-        UTF-8, not empty.
+        Not empty.
     parent : int
         Index of an earlier joint; -1: the root, which is joint 0.
     offset : tuple[float, float, float]
         From the parent, in the parent's axes; unit of the clip.
     channels : str | None
         Its values in each frame, in order: tx ty tz positions, which replace the offset (+tx +ty
-        +tz add to it), rx ry rz angles in degrees about moving axes, so that the first is the
-        leftmost matrix; "tx ty tz rz rx ry" is usual for a root. "": none. None, as input: rz rx
-        ry, before them tx ty tz for the root, and none for end sites; as output: they are those of
-        an ASF file, which this cannot describe.
+        +tz add to it), rx ry rz angles in degrees about moving axes, of which the first is the
+        leftmost matrix. "": none. None, as input: rz rx ry, for the root after tx ty tz, none for
+        end sites; as output: those of an ASF file, which this cannot describe.
     is_end_site : bool
         The end of a chain, without rotation.
     """
@@ -186,25 +185,20 @@ class Segment(NamedTuple):
     carried_by : tuple[str, ...]
         Names of the joints, markers or columns that carry half of the motion, those that move most
         first.
-    open_begin : bool
-        The clip begins within this motion.
-    open_end : bool
-        The clip ends within this motion.
+    open_begin, open_end : bool
+        The clip begins, or ends, within this motion.
     confidence : float
         Share of such answers that are right, 0 to 1.
     begin_confidence : float
         The same of the border at its begin; NaN for the first.
     reason : str
         Why it has no cycles, with the numbers; "" if it has. Of a rest: "nothing recorded" if most
-        of the body is missing, so that nobody knows whether it rests.
+        of the body is missing.
     first_step_share : float
-        Share of a cycle that the first step takes: it ends where the other side of the body does
-        what the first did at the begin. Exactly 0.5 if the estimate is within the margin, or within
-        0.002, of 0.5; if the file states foot strikes of both sides, the mean over the cycles, and
-        exactly 0.5 only by chance. NaN: no steps.
+        Share of a cycle that the first step takes; exactly 0.5 if the estimate cannot be told from
+        it; NaN: no steps.
     first_step_margin : float
-        Half the width of its 95 % interval over the cycles; NaN without steps or with fewer than
-        three cycles.
+        Half of its 95 % interval; NaN: no steps, or under three cycles.
     steps_reason : str
         Why its cycles have no steps; "" if they have, or no cycles.
     """
@@ -236,8 +230,8 @@ class Segment(NamedTuple):
 
 
 class Part(NamedTuple):
-    """A cycle, a step or a repetition, [begin, end), and how the body travels over the ground
-    meanwhile: the body root of a skeleton, or the mean of points.
+    """A cycle, a step or a repetition, [begin, end), and how the body (its root, or the mean of
+    points) travels over the ground meanwhile.
 
     Attributes
     ----------
@@ -252,25 +246,22 @@ class Part(NamedTuple):
     begin_s, end_s : float
         Seconds, with fractions of a frame.
     side : int
-        Which side of the body leads: 0 or 1, the same in all clips of a skeleton; -1: unknown. At
-        foot strikes that the file states: the side whose strike a cycle begins with, and a step
-        ends with.
+        Which side of the body leads: 0 or 1, the same in all clips of a skeleton, by the file's
+        foot strikes if it has any; -1: unknown.
     side_name : str
         "left" or "right"; "" if no names tell.
     likeness : float
-        Of a cycle to the mean cycle of its segment, of a repetition to the others, 0 to 1; NaN:
-        unknown.
+        How like the others of its segment, 0 to 1; NaN: unknown.
     confidence : float
         Share of such answers that are right, 0 to 1.
     path_length : float
-        In the unit of the file, as the next two; NaN: unknown, as in a matrix of bare numbers.
+        In the unit of the file, as the next two; NaN: unknown.
     stride : float
         Distance between the ends of the path; NaN: unknown.
     speed : float
         Path length / second; NaN: unknown.
     turn_deg : float
-        Degrees, counterclockwise as seen from above; NaN: unknown, for points also if fewer than
-        three are seen at both ends.
+        Degrees, counterclockwise as seen from above; NaN: unknown.
     """
 
     segment: int
@@ -334,14 +325,10 @@ class Summary(NamedTuple):
         NaN without steps.
     step_time_s : Statistics
         Lengths of the steps.
-    step_time_side_0_s : float
-        Mean of the steps of side 0; NaN without steps.
-    step_time_side_1_s : float
-        Mean of the steps of side 1; NaN without steps.
-    path_length : Statistics
-        Of the cycles, as the next three: see `Part`.
-    stride, speed, turn_deg : Statistics
-        See `Part`.
+    step_time_side_0_s, step_time_side_1_s : float
+        Means of each side; NaN without steps.
+    path_length, stride, speed, turn_deg : Statistics
+        Of the cycles: see `Part`.
     """
 
     label: str
@@ -370,8 +357,7 @@ class Event(NamedTuple):
     cycle : int
         Index among the cycles of the clip; -1: outside cycles.
     confidence : float
-        0 to 1: ranks the events by the size of their likely errors. In other clips, 98 of 100
-        events above 0.6 were within 50 ms of the truth, and 7 of 10 below 0.4 (measure/events).
+        0 to 1: ranks the events by the size of their likely errors.
     marked : bool
         A mark of the caller, as it was given.
     """
@@ -384,13 +370,9 @@ class Event(NamedTuple):
 
 
 class Estimate(NamedTuple):
-    """A quantity of both mean cycles and its difference. The interval is a 95 % confidence interval
-    from the spread between cycles, by Student's t distribution with Welch's degrees of freedom.
-    From four cycles on, it is wider if successive cycles resemble each other. Of 20 differences
-    that are really zero, about one is significant by chance. The interval says how well the mean of
-    these cycles is known, not how the same person moves on another day (docs/answers.md has
-    measurements). Unknown values are NaN; with only one cycle, these are all that depend on the
-    spread.
+    """A quantity of both mean cycles and its difference, with a 95 % confidence interval from the
+    spread between cycles: how well the mean of these cycles is known (docs/answers.md). Of 20
+    differences that are really zero, about one is significant by chance. Unknown values are NaN.
 
     Attributes
     ----------
@@ -453,17 +435,14 @@ class Compared(NamedTuple):
     shift_low, shift_high : float
         Its 95 % confidence interval.
     likeness : float
-        Correlation of the two mean cycles; below 0.6, a warning says that the motions seem to be
-        different.
+        Correlation of the two mean cycles; below 0.6 there is a warning.
     runner_up : float
-        The same at the next best shift; NaN: there is none. If it is within 0.1 of likeness, a
-        warning says that the shift is uncertain.
+        The same at the next best shift; NaN: there is none.
     turn_deg : float
-        Degrees by which the second body was turned about the up axis to face as the first does:
-        points, and skeletons with different joints; else 0.
+        Degrees by which the second body was turned about the up axis to face as the first does; 0
+        for skeletons with the same joints.
     size_ratio : float
-        Size of the second body divided by that of the first, from the parts that were compared;
-        NaN: no positions in space, or only one part.
+        Size of the second body divided by that of the first; NaN: unknown.
     cycle_time_s : Estimate
         Mean length of the cycles.
     judged : int
@@ -509,7 +488,7 @@ class ComparedMotion(NamedTuple):
     cycles_per_min : float
         60 / mean cycle time.
     left_out : tuple[str, ...]
-        Names in this clip that the other one lacks.
+        Names that the other clip lacks.
     """
 
     path: str
@@ -534,22 +513,21 @@ class ComparedPart(NamedTuple):
     second : str
         Its name in the second; they differ for left and right.
     axis : str
-        Of a channel: "x", "y" or "z" of a position; such as "rz" of an angle; "1" to "6" of a
-        rotation matrix; "" for the only one of a part, and of parts.
+        Of a channel, such as "x" of a position, "rz" of an angle, "1" to "6" of a rotation matrix;
+        "" for the only one of a part, and of parts.
     mean : Estimate
         Mean over the cycle; NaN for a part with several channels.
     lag : Estimate
-        How much later in its cycle the second motion does the same, relative to the whole body
-        (left and right: to half a cycle), as a share of the cycle; first is 0, and the standard
-        deviations are those of the timing of single cycles. NaN if the curves are not alike
+        How much later the second motion does the same, relative to the whole body (left and right:
+        to half a cycle), as a share of the cycle; first is 0. NaN: the curves are not alike
         (correlation below 0.7).
     lag_s : Bounded
         The same in seconds, for the mean of both cycle times.
     amplitude : Estimate
-        Of the mean curve: largest distance between two of its points; of one channel, the range
-        (maximum minus minimum).
+        Of the mean curve: largest distance between two of its points; of one channel, maximum minus
+        minimum.
     amplitude_ratio : Bounded
-        Amplitude of the second motion divided by that of the first.
+        Amplitude of the second divided by that of the first.
     rms_difference : float
         Root mean square, over the cycle, of second minus first.
     rms_by_chance : float
@@ -605,14 +583,13 @@ class Seam(NamedTuple):
     Attributes
     ----------
     frame : int
-        First frame of the new clip that belongs to the later piece; of a loop's wrap, the number of
-        frames.
+        First frame of the later piece; of a wrap, the number of frames.
     time_s : float
         Its time.
     piece, next : int
         Indices of the pieces that meet.
     cut_end : int
-        The earlier piece ends before this frame of its clip, after any resampling.
+        The earlier piece ends before this frame of its clip, as resampled.
     cut_begin : int
         The later piece starts at this frame of its clip.
     crossfade : int

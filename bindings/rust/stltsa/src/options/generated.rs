@@ -3,14 +3,14 @@
 use super::*;
 
 impl Options {
-    /// Neighbors of each frame (k); auto: 1.2 periods if a period is found, otherwise 1.2 seconds,
-    /// or 12 frames if the rate is unknown.
+    /// Neighbors of each frame (k); auto: 1.2 periods, without a period 1.2 seconds, or 12 frames
+    /// without a rate.
     #[must_use]
     pub fn neighbors(self, value: usize) -> Self {
         self.with(sys::STLTSA_OPT_NEIGHBORS, int(value))
     }
 
-    /// Frames on each side in which neighbors may lie (w); auto: as neighbors.
+    /// Window (w), frames to each side; auto: as neighbors.
     #[must_use]
     pub fn window(self, value: usize) -> Self {
         self.with(sys::STLTSA_OPT_WINDOW, int(value))
@@ -36,13 +36,13 @@ impl Options {
         self.with(sys::STLTSA_OPT_INCLUDE_SELF, Value::Int(value.into()))
     }
 
-    /// Recurrent mode: neighbors from outside the exclusion zone.
+    /// Recurrent: neighbors beyond the exclusion zone.
     #[must_use]
     pub fn links(self, value: usize) -> Self {
         self.with(sys::STLTSA_OPT_LINKS, int(value))
     }
 
-    /// Recurrent mode: frames on each side that cannot be links; auto: as window.
+    /// Recurrent: half width of that zone, frames; auto: window.
     #[must_use]
     pub fn exclusion(self, value: usize) -> Self {
         self.with(sys::STLTSA_OPT_EXCLUSION, int(value))
@@ -76,22 +76,20 @@ impl Options {
         self.with(sys::STLTSA_OPT_KEEP_START, Value::Int(value.into()))
     }
 
-    /// Frames per second, for files that have no rate; in others it replaces the rate and the
-    /// times, and a note says so (batch: it does not); unmap: points per second; auto: the file's
-    /// rate, or the model's.
+    /// Frames per second, for files without a rate, or instead of theirs (not in batch); of
+    /// unmapped points; auto: the file's, or the model's.
     #[must_use]
     pub fn fps(self, value: f64) -> Self {
         self.with(sys::STLTSA_OPT_FPS, Value::Real(value))
     }
 
-    /// Decimate clips to about this many frames per second: keep one frame in fps / rate, rounded;
-    /// 0: keep all.
+    /// Decimate clips to about this frame rate; 0: keep all.
     #[must_use]
     pub fn sample_rate(self, value: f64) -> Self {
         self.with(sys::STLTSA_OPT_SAMPLE_RATE, Value::Real(value))
     }
 
-    /// Standard deviation, in seconds, of the Gaussian that smooths the features; 0: no smoothing.
+    /// Smoothing of the features: sigma in seconds; 0: none.
     #[must_use]
     pub fn smoothing(self, value: f64) -> Self {
         self.with(sys::STLTSA_OPT_SMOOTHING, Value::Real(value))
@@ -103,27 +101,26 @@ impl Options {
         self.with(sys::STLTSA_OPT_PERIOD_MIN, Value::Real(value))
     }
 
-    /// Longest period of the search, in seconds; in frames if the rate is unknown, half of all and
-    /// at most 1000 by default.
+    /// Longest period of the search, in seconds; in frames if the rate is unknown, half of all, at
+    /// most 1000, by default.
     #[must_use]
     pub fn period_max(self, value: f64) -> Self {
         self.with(sys::STLTSA_OPT_PERIOD_MAX, Value::Real(value))
     }
 
-    /// Smallest gap between eigenvalues that determines the dimension, as a fraction of the
-    /// neighbors.
+    /// Smallest eigengap that counts (tau), as a share of k.
     #[must_use]
     pub fn eigengap(self, value: f64) -> Self {
         self.with(sys::STLTSA_OPT_EIGENGAP, Value::Real(value))
     }
 
-    /// Share of a neighborhood's variance that local PCA must explain.
+    /// Share of local variance that local PCA must explain.
     #[must_use]
     pub fn variance(self, value: f64) -> Self {
         self.with(sys::STLTSA_OPT_VARIANCE, Value::Real(value))
     }
 
-    /// Estimate the intrinsic dimension, too, by the eigengap and by local PCA.
+    /// Also estimate the intrinsic dimension, in two ways.
     #[must_use]
     pub fn intrinsic(self, value: bool) -> Self {
         self.with(sys::STLTSA_OPT_INTRINSIC, Value::Int(value.into()))
@@ -141,7 +138,7 @@ impl Options {
         self.with(sys::STLTSA_OPT_KEEP_FRAMES, Value::Int(value.into()))
     }
 
-    /// Rows for each local map; auto: the dimension plus 5, at least 10.
+    /// Rows for each local map; auto: d + 5, at least 10.
     #[must_use]
     pub fn map_neighbors(self, value: usize) -> Self {
         self.with(sys::STLTSA_OPT_MAP_NEIGHBORS, int(value))
@@ -153,27 +150,27 @@ impl Options {
         self.with(sys::STLTSA_OPT_MAP_BLEND, int(value))
     }
 
-    /// Rows to search on each side of a hint; auto: a fifth of the neighbors.
+    /// Rows to search on each side of a hint; auto: k / 5.
     #[must_use]
     pub fn hint_window(self, value: usize) -> Self {
         self.with(sys::STLTSA_OPT_HINT_WINDOW, int(value))
     }
 
-    /// Component of the coordinates, counted from 0; auto: the only one.
+    /// Component of the coordinates, from 0; auto: the only one.
     #[must_use]
     pub fn component(self, value: usize) -> Self {
         self.with(sys::STLTSA_OPT_COMPONENT, int(value))
     }
 
-    /// Distance from the curve beyond which a point is noisy, in units of the coordinate; auto: one
-    /// robust standard deviation of the residuals.
+    /// Distance from the curve beyond which a point is noisy; auto: one robust deviation of the
+    /// residuals.
     #[must_use]
     pub fn gamma(self, value: f64) -> Self {
         self.with(sys::STLTSA_OPT_GAMMA, Value::Real(value))
     }
 
-    /// Spacing of the curve's knots in seconds, or in rows if the rate is unknown; auto: a tenth of
-    /// the period, or 2 rows if no period is found.
+    /// Seconds between knots, or rows if the rate is unknown; auto: a tenth of the period,
+    /// otherwise 2 rows.
     #[must_use]
     pub fn knot_spacing(self, value: f64) -> Self {
         self.with(sys::STLTSA_OPT_KNOT_SPACING, Value::Real(value))
@@ -192,21 +189,20 @@ impl Options {
         self.with(sys::STLTSA_OPT_CROSSFADE, Value::Real(value))
     }
 
-    /// Seconds by which a cut may move to find a common posture; auto: a tenth of the repeated
-    /// cycle; between clips half a cycle, at least 0.5.
+    /// Seconds by which a cut may move; auto: a tenth of the repeated cycle; between clips half a
+    /// cycle, at least 0.5.
     #[must_use]
     pub fn cut_range(self, value: f64) -> Self {
         self.with(sys::STLTSA_OPT_CUT_RANGE, Value::Real(value))
     }
 
-    /// Largest allowed distance between the postures at a seam, relative to the typical distance
-    /// between repetitions of one motion; 0: no limit.
+    /// Max distance of the postures at a seam, relative to that of repetitions; 0: no limit.
     #[must_use]
     pub fn posture_limit(self, value: f64) -> Self {
         self.with(sys::STLTSA_OPT_POSTURE_LIMIT, Value::Real(value))
     }
 
-    /// Number of segments in motion, without rests; auto: as many as the behavior changes.
+    /// Number of segments in motion; auto: as behavior changes.
     #[must_use]
     pub fn segments(self, value: usize) -> Self {
         self.with(sys::STLTSA_OPT_SEGMENTS, int(value))
@@ -220,26 +216,26 @@ impl Options {
         self.with(sys::STLTSA_OPT_GAPS, Value::Int(value.raw().into()))
     }
 
-    /// Points that were seen with less confidence are missing.
+    /// Points seen with less confidence are missing.
     #[must_use]
     pub fn min_confidence(self, value: f64) -> Self {
         self.with(sys::STLTSA_OPT_MIN_CONFIDENCE, Value::Real(value))
     }
 
-    /// Make a loop: the last frame meets the first, across a seam like any other.
+    /// Make a loop: the last frame meets the first.
     #[must_use]
     pub fn r#loop(self, value: bool) -> Self {
         self.with(sys::STLTSA_OPT_LOOP, Value::Int(value.into()))
     }
 
-    /// Remove what a loop travels and turns, so that it ends where it starts.
+    /// Remove the travel and the turn of a loop.
     #[must_use]
     pub fn in_place(self, value: bool) -> Self {
         self.with(sys::STLTSA_OPT_IN_PLACE, Value::Int(value.into()))
     }
 
-    /// Which of several people or animals in a file: the prefix of its points (Viktor of
-    /// Viktor:LHEE), or its name as an individual or a track; auto: the only one.
+    /// Person or animal in a file: the prefix of its points (Viktor of Viktor:LHEE) or its name;
+    /// auto: the only one.
     #[must_use]
     pub fn subject(self, value: impl AsRef<str>) -> Self {
         self.with(sys::STLTSA_OPT_SUBJECT, Value::Text(value.as_ref().into()))

@@ -12,22 +12,21 @@ rows! {
         text: String = text,
         /// Seconds in the clip at which it applies; `None`: it has no time.
         begin_s: Option<f64> = number,
-        /// End of that time; the begin for a moment; `None`: it has no time.
+        /// The end, or the begin of a moment; `None`: it has no time.
         end_s: Option<f64> = number,
     }
     /// A joint or an end site of a skeleton.
     Joint: stltsa_joint [Joint] {
-        /// UTF-8, not empty.
+        /// Not empty.
         name: String = text,
         /// Index of an earlier joint; `None`: the root, which is joint 0.
         parent: Option<usize> = index,
         /// From the parent, in the parent's axes; unit of the clip.
         offset: [f64; 3] = From::from,
         /// Its values in each frame, in order: tx ty tz positions, which replace the offset (+tx
-        /// +ty +tz add to it), rx ry rz angles in degrees about moving axes, so that the first is
-        /// the leftmost matrix; "tx ty tz rz rx ry" is usual for a root. "": none. `None`, as
-        /// input: rz rx ry, before them tx ty tz for the root, and none for end sites; as output:
-        /// they are those of an ASF file, which this cannot describe.
+        /// +ty +tz add to it), rx ry rz angles in degrees about moving axes, of which the first is
+        /// the leftmost matrix. "": none. `None`, as input: rz rx ry, for the root after tx ty tz,
+        /// none for end sites; as output: those of an ASF file, which this cannot describe.
         channels: Option<String> = nullable,
         /// The end of a chain, without rotation.
         is_end_site: bool = flag,
@@ -106,30 +105,27 @@ rows! {
         /// Names of the joints, markers or columns that carry half of the motion, those that move
         /// most first.
         carried_by: Vec<String> = texts,
-        /// The clip begins within this motion.
+        /// The clip begins, or ends, within this motion.
         open_begin: bool = flag,
-        /// The clip ends within this motion.
+        /// The clip begins, or ends, within this motion.
         open_end: bool = flag,
         /// Share of such answers that are right, 0 to 1.
         confidence: f64 = From::from,
         /// The same of the border at its begin; `None` for the first.
         begin_confidence: Option<f64> = number,
         /// Why it has no cycles, with the numbers; `None` if it has. Of a rest: "nothing recorded"
-        /// if most of the body is missing, so that nobody knows whether it rests.
+        /// if most of the body is missing.
         reason: Option<String> = filled,
-        /// Share of a cycle that the first step takes: it ends where the other side of the body
-        /// does what the first did at the begin. Exactly 0.5 if the estimate is within the margin,
-        /// or within 0.002, of 0.5; if the file states foot strikes of both sides, the mean over
-        /// the cycles, and exactly 0.5 only by chance. `None`: no steps.
+        /// Share of a cycle that the first step takes; exactly 0.5 if the estimate cannot be told
+        /// from it; `None`: no steps.
         first_step_share: Option<f64> = number,
-        /// Half the width of its 95 % interval over the cycles; `None` without steps or with fewer
-        /// than three cycles.
+        /// Half of its 95 % interval; `None`: no steps, or under three cycles.
         first_step_margin: Option<f64> = number,
         /// Why its cycles have no steps; `None` if they have, or no cycles.
         steps_reason: Option<String> = filled,
     }
-    /// A cycle, a step or a repetition, [begin, end) as in `stltsa_interval`, and how the body
-    /// travels over the ground meanwhile: the body root of a skeleton, or the mean of points.
+    /// A cycle, a step or a repetition, [begin, end) as in `stltsa_interval`, and how the body (its
+    /// root, or the mean of points) travels over the ground meanwhile.
     #[non_exhaustive]
     Part: stltsa_part [Cycle, Step, Repetition] {
         /// Index of its segment.
@@ -148,26 +144,22 @@ rows! {
         begin_s: f64 = From::from,
         /// Seconds, with fractions of a frame.
         end_s: f64 = From::from,
-        /// Which side of the body leads: 0 or 1, the same in all clips of a skeleton; `None`:
-        /// unknown. At foot strikes that the file states: the side whose strike a cycle begins
-        /// with, and a step ends with.
+        /// Which side of the body leads: 0 or 1, the same in all clips of a skeleton, by the file's
+        /// foot strikes if it has any; `None`: unknown.
         side: Option<usize> = index,
         /// "left" or "right"; `None` if no names tell.
         side_name: Option<String> = filled,
-        /// Of a cycle to the mean cycle of its segment, of a repetition to the others, 0 to 1;
-        /// `None`: unknown.
+        /// How like the others of its segment, 0 to 1; `None`: unknown.
         likeness: Option<f64> = number,
         /// Share of such answers that are right, 0 to 1.
         confidence: f64 = From::from,
-        /// In the unit of the file, as the next two; `None`: unknown, as in a matrix of bare
-        /// numbers.
+        /// In the unit of the file, as the next two; `None`: unknown.
         path_length: Option<f64> = number,
         /// Distance between the ends of the path; `None`: unknown.
         stride: Option<f64> = number,
         /// Path length / second; `None`: unknown.
         speed: Option<f64> = number,
-        /// Degrees, counterclockwise as seen from above; `None`: unknown, for points also if fewer
-        /// than three are seen at both ends.
+        /// Degrees, counterclockwise as seen from above; `None`: unknown.
         turn_deg: Option<f64> = number,
     }
     /// Of one quantity of several parts; all are NaN if count is 0.
@@ -202,17 +194,17 @@ rows! {
         steps_per_min: Option<f64> = number,
         /// Lengths of the steps.
         step_time_s: Statistics = Statistics::of,
-        /// Mean of the steps of side 0; `None` without steps.
+        /// Means of each side; `None` without steps.
         step_time_side_0_s: Option<f64> = number,
-        /// Mean of the steps of side 1; `None` without steps.
+        /// Means of each side; `None` without steps.
         step_time_side_1_s: Option<f64> = number,
-        /// Of the cycles, as the next three: see [`Part`].
+        /// Of the cycles: see [`Part`].
         path_length: Statistics = Statistics::of,
-        /// See [`Part`].
+        /// Of the cycles: see [`Part`].
         stride: Statistics = Statistics::of,
-        /// See [`Part`].
+        /// Of the cycles: see [`Part`].
         speed: Statistics = Statistics::of,
-        /// See [`Part`].
+        /// Of the cycles: see [`Part`].
         turn_deg: Statistics = Statistics::of,
     }
     /// A moment that was found, or a mark of the caller.
@@ -225,19 +217,15 @@ rows! {
         seconds: f64 = From::from,
         /// Index among the cycles of the clip; `None`: outside cycles.
         cycle: Option<usize> = index,
-        /// 0 to 1: ranks the events by the size of their likely errors. In other clips, 98 of 100
-        /// events above 0.6 were within 50 ms of the truth, and 7 of 10 below 0.4 (measure/events).
+        /// 0 to 1: ranks the events by the size of their likely errors.
         confidence: f64 = From::from,
         /// A mark of the caller, as it was given.
         marked: bool = flag,
     }
-    /// A quantity of both mean cycles and its difference. The interval is a 95 % confidence
-    /// interval from the spread between cycles, by Student's t distribution with Welch's degrees of
-    /// freedom. From four cycles on, it is wider if successive cycles resemble each other. Of 20
-    /// differences that are really zero, about one is significant by chance. The interval says how
-    /// well the mean of these cycles is known, not how the same person moves on another day
-    /// (docs/answers.md has measurements). Unknown values are NaN; with only one cycle, these are
-    /// all that depend on the spread.
+    /// A quantity of both mean cycles and its difference, with a 95 % confidence interval from the
+    /// spread between cycles: how well the mean of these cycles is known (docs/answers.md). Of 20
+    /// differences that are really zero, about one is significant by chance. Unknown values are
+    /// NaN.
     #[derive(Copy)]
     #[non_exhaustive]
     Estimate: stltsa_estimate [] {
@@ -289,17 +277,14 @@ rows! {
         shift_low: f64 = From::from,
         /// Its 95 % confidence interval.
         shift_high: f64 = From::from,
-        /// Correlation of the two mean cycles; below 0.6, a warning says that the motions seem to
-        /// be different.
+        /// Correlation of the two mean cycles; below 0.6 there is a warning.
         likeness: f64 = From::from,
-        /// The same at the next best shift; `None`: there is none. If it is within 0.1 of likeness,
-        /// a warning says that the shift is uncertain.
+        /// The same at the next best shift; `None`: there is none.
         runner_up: Option<f64> = number,
-        /// Degrees by which the second body was turned about the up axis to face as the first does:
-        /// points, and skeletons with different joints; else 0.
+        /// Degrees by which the second body was turned about the up axis to face as the first does;
+        /// 0 for skeletons with the same joints.
         turn_deg: f64 = From::from,
-        /// Size of the second body divided by that of the first, from the parts that were compared;
-        /// `None`: no positions in space, or only one part.
+        /// Size of the second body divided by that of the first; `None`: unknown.
         size_ratio: Option<f64> = number,
         /// Mean length of the cycles.
         cycle_time_s: Estimate = Estimate::of,
@@ -327,7 +312,7 @@ rows! {
         cycles: usize = count,
         /// 60 / mean cycle time.
         cycles_per_min: f64 = From::from,
-        /// Names in this clip that the other one lacks.
+        /// Names that the other clip lacks.
         left_out: Vec<String> = texts,
     }
     /// A joint, a point or a column of the file (part), or one of its coordinates (channel).
@@ -340,22 +325,21 @@ rows! {
         first: String = text,
         /// Its name in the second; they differ for left and right.
         second: String = text,
-        /// Of a channel: "x", "y" or "z" of a position; such as "rz" of an angle; "1" to "6" of a
-        /// rotation matrix; `None` for the only one of a part, and of parts.
+        /// Of a channel, such as "x" of a position, "rz" of an angle, "1" to "6" of a rotation
+        /// matrix; `None` for the only one of a part, and of parts.
         axis: Option<String> = filled,
         /// Mean over the cycle; NaN for a part with several channels.
         mean: Estimate = Estimate::of,
-        /// How much later in its cycle the second motion does the same, relative to the whole body
-        /// (left and right: to half a cycle), as a share of the cycle; first is 0, and the standard
-        /// deviations are those of the timing of single cycles. NaN if the curves are not alike
-        /// (correlation below 0.7).
+        /// How much later the second motion does the same, relative to the whole body (left and
+        /// right: to half a cycle), as a share of the cycle; first is 0. NaN: the curves are not
+        /// alike (correlation below 0.7).
         lag: Estimate = Estimate::of,
         /// The same in seconds, for the mean of both cycle times.
         lag_s: Bounded = Bounded::of,
-        /// Of the mean curve: largest distance between two of its points; of one channel, the range
-        /// (maximum minus minimum).
+        /// Of the mean curve: largest distance between two of its points; of one channel, maximum
+        /// minus minimum.
         amplitude: Estimate = Estimate::of,
-        /// Amplitude of the second motion divided by that of the first.
+        /// Amplitude of the second divided by that of the first.
         amplitude_ratio: Bounded = Bounded::of,
         /// Root mean square, over the cycle, of second minus first.
         rms_difference: f64 = From::from,
@@ -385,8 +369,7 @@ rows! {
     #[derive(Copy)]
     #[non_exhaustive]
     Seam: stltsa_seam [Seam] {
-        /// First frame of the new clip that belongs to the later piece; of a loop's wrap, the
-        /// number of frames.
+        /// First frame of the later piece; of a wrap, the number of frames.
         frame: usize = count,
         /// Its time.
         time_s: f64 = From::from,
@@ -394,7 +377,7 @@ rows! {
         piece: usize = count,
         /// Indices of the pieces that meet.
         next: usize = count,
-        /// The earlier piece ends before this frame of its clip, after any resampling.
+        /// The earlier piece ends before this frame of its clip, as resampled.
         cut_end: usize = count,
         /// The later piece starts at this frame of its clip.
         cut_begin: usize = count,
