@@ -18,7 +18,7 @@ import c_header
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 # All files that a page shows or links to.
-FILES = ("*.md", "LICENSE", "docs/*.md", "docs/*.svg", "docs/*.png", "docs/schema/*.json",
+FILES = ("*.md", "LICENSE", "docs/*.md", "docs/logs/*.md", "docs/*.svg", "docs/*.png", "docs/schema/*.json",
          "bindings/python/README.md", "bindings/rust/stltsa/README.md",
          "examples/*.c", "examples/*.cpp", "include/*", "docs/site/*.md", "docs/site/*.rst",
          "docs/site/*.css", "docs/site/Doxyfile")
