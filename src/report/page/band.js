@@ -137,7 +137,7 @@ function bandText(x, y, w) {
   const parts = bandRows[2];
   if (y >= parts.y && y < parts.y + parts.h && parts.name !== "Events") {
     const c = containing(found.cycles, frame), r = containing(found.repetitions, frame), part = c >= 0 ? found.cycles[c] : found.repetitions[r];
-    return part && `${cycleText(frame)}\n${span(part)}${part.likeness === null ? "" : `\nlikeness ${percent(part.likeness, 0)}`}${sure(part)}${part.travel ? `\nspeed ${number(part.travel.speed)}, path ${number(part.travel.way)}` : ""}`;
+    return part && `${cycleText(frame)}\n${span(part)}${part.likeness === null ? "" : `\nlikeness ${percent(part.likeness, 0)}`}${sure(part)}${part.travel ? `\nspeed ${number(part.travel.speed)}, path ${number(part.travel.path_length)}` : ""}`;
   }
   return "";
 }
