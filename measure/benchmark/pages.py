@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Puts tables and figures into README.md and docs/benchmark.md, between their markers."""
+"""Puts tables and figures into README.md, docs/benchmark.md and its log, between their markers."""
 
 import re
 import shutil
@@ -49,8 +49,8 @@ def update(root, result, figure):
         root / "README.md": {"summary": textwrap.fill(texts.summary(result), 100)},
         root / "docs/benchmark.md": {
             "comparison": f"{where(result)}\n\n{table['comparison']}", "claims": table["claims"],
-            "angles": table["angles"], "growth": table["growth"],
-            "stages": table["stages"]},
+            "angles": table["angles"]},
+        root / "docs/logs/benchmark.md": {"growth": table["growth"], "stages": table["stages"]},
     }
     for path, contents in parts.items():
         text = path.read_text(encoding="utf-8")
