@@ -131,7 +131,8 @@ inline std::exception_ptr& thrown() noexcept {
 inline void check(stltsa_status status) {
     if (status == STLTSA_OK)
         return;
-    if (const std::exception_ptr by_callback = std::exchange(thrown(), nullptr))
+    const std::exception_ptr by_callback = std::exchange(thrown(), nullptr);
+    if (by_callback && status == STLTSA_E_CANCELLED)
         std::rethrow_exception(by_callback);
     throw Error(status, stltsa_last_error());
 }
@@ -439,7 +440,8 @@ class Clip {
 
     /// See stltsa_clip_set_path. Throws Error if the clip belongs to a result.
     void set_path(const std::string& path) {
-        detail::check(stltsa_clip_set_path(handle_.get_deleter().owned, path.c_str()));
+        stltsa_clip* const owned = handle_ ? handle_.get_deleter().owned : nullptr;
+        detail::check(stltsa_clip_set_path(owned, path.c_str()));
     }
     /// See stltsa_clip_stretch.
     Clip stretch(const std::string& what, const Options& options = {}) const {

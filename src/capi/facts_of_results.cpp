@@ -118,6 +118,17 @@ constexpr InfoRow of_fit(std::int32_t key, Get get) {
         key, [](const H& h) { return fit_of(h); }, get);
 }
 
+template <class H, class Get>
+constexpr InfoRow of_recurrent(std::int32_t key, Get get) {
+    return maybe<H>(
+        key,
+        [](const H& h) {
+            const ltsa::Parameters* fit = fit_of(h);
+            return fit != nullptr && fit->mode == ltsa::Mode::recurrent ? fit : nullptr;
+        },
+        get);
+}
+
 template <class H>
 constexpr InfoRow fit_rows[] = {
     of_fit<H>(STLTSA_INFO_MODE, [](const ltsa::Parameters& p) { return p.mode; }),
@@ -125,8 +136,8 @@ constexpr InfoRow fit_rows[] = {
     of_fit<H>(STLTSA_INFO_WINDOW, [](const ltsa::Parameters& p) { return p.window; }),
     of_fit<H>(STLTSA_INFO_DIMENSION, [](const ltsa::Parameters& p) { return p.dimension; }),
     of_fit<H>(STLTSA_INFO_INCLUDE_SELF, [](const ltsa::Parameters& p) { return p.include_self; }),
-    of_fit<H>(STLTSA_INFO_LINKS, [](const ltsa::Parameters& p) { return p.links; }),
-    of_fit<H>(STLTSA_INFO_EXCLUSION, [](const ltsa::Parameters& p) { return p.exclusion; }),
+    of_recurrent<H>(STLTSA_INFO_LINKS, [](const ltsa::Parameters& p) { return p.links; }),
+    of_recurrent<H>(STLTSA_INFO_EXCLUSION, [](const ltsa::Parameters& p) { return p.exclusion; }),
 };
 
 // ---- Warnings ----

@@ -453,7 +453,7 @@ def gaps(folder):
 
 @layout("numbers for missing values: -9999, 999, 9999999")
 def codes(folder):
-    for code in ("-9999", "999", "999.99", "9999999.000", "1e10", "3.402823e38", "-9.999e6"):
+    for code in ("-9999", "999", "999.99", "9999999.000", "1e10", "3.40282e38", "-9.999e6"):
         filled = [[cell if cell else code for cell in line] for line in table(missing(), with_underscore)]
         yield Case(write(folder / "a.csv", filled), "missing")
     yield Case(folder / "a.csv", note="-9999000 is far outside the other numbers, as where a value is missing: taken "

@@ -20,7 +20,8 @@ constexpr std::int64_t least_alone = 2;
 /// changed; a power of ten from a million; or the largest number of single or double precision.
 bool may_be_code(double number) {
     constexpr double shortest = 999, longest = 1e16, million = 1e6, hundredths = 100;
-    constexpr double largest = std::numeric_limits<float>::max(), rounded = 1e-6;
+    // Six digits are what many programs print.
+    constexpr double largest = std::numeric_limits<float>::max(), rounded = 3e-6;
     const double size = std::abs(number), whole = std::round(hundredths * size);
     if (std::abs(size - largest) <= rounded * largest || size == std::numeric_limits<double>::max())
         return true;
